@@ -102,18 +102,18 @@ function Record:continue_entries(family, step, fields)
   end
 end
 
---- Appends the rows that the run has added.
+--- Appends the rows that the run has added; error bars are known at its end only, and are written then as a whole.
 function Record:append_rows(run)
-  local first = self.rows
   for _, name in ipairs(run.names) do
+    local first = quantities.is_error(name) and 0 or self.rows
     local column, values = run.values[name], {}
     for row = first + 1, run.rows do values[row - first] = column[row] or 0 / 0 end
     local quantity, text = table.unpack(quantities.of_column(self.model, name) or { nil, "returned by on_step" })
     self:append({ "/columns/" .. scene.link(name), values, kind = "number", entry = {}, quantity = quantity,
                   text = text, name = name }, first)
   end
-  self:append({ "/rows/stage", stages.names(run, first + 1), kind = "text", entry = {},
-                text = "stage of each row of the columns" }, first)
+  self:append({ "/rows/stage", stages.names(run, self.rows + 1), kind = "text", entry = {},
+                text = "stage of each row of the columns" }, self.rows)
   if self.written_names ~= #run.names then
     self.written_names = #run.names
     self.file:set("/columns", "names", "text", run.names)

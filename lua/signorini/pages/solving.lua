@@ -132,7 +132,7 @@ these. Use it to compare with other programs or published iteration counts, and 
     named = "model:run", may_be_empty = true, as_given = true,
     returns = t.named "model:run", example = "model:run(stages, sg.plain{ newton = { iterations = 50 } })" },
   { "run", [[The result of model:run; print(run) shows a short table, with fallbacks, cuts and other controls. Methods:
-run:column, run:columns, run:csv, run:hdf5, run:states, run:attempts, run:residuals.]],
+run:column, run:columns, run:error, run:budget, run:csv, run:hdf5, run:states, run:attempts, run:residuals.]],
     fields = {
       { "failed", t.flag, "whether a step failed" },
       { "reason", t.text, "reason why the run ended, see help \"model:run\"" },
@@ -172,6 +172,22 @@ increments between steps, so that the last value is column[#column]: "step", its
 "<contact>.area" and so on; columns that on_step returns are nan where it returned none.]],
     arguments = { { "name", t.name(function(run) return run:columns() end), "a column" } },
     returns = t.numbers(nil, true), example = "run:column \"grip.fy\"" },
+  { "run:error", [[Returns the error bars of a result of a run with the option errors, one per converged step: half of
+the range in which the solution of the model is expected; laws, data and idealization are not included. nan where a
+companion has failed, or where there is no limit, as of the peak pressure at a sharp edge. They are also the column
+"grip.fy.error" of "grip.fy", in files, too.]],
+    arguments = { { "name", t.name(function(run) return run:columns() end), "a column of results" } },
+    returns = t.numbers(nil, true),
+    example = "run = model:run(stages, { errors = true })\nrun:error \"grip.fy\"" },
+  { "run:budget", [[Returns where the error of a result comes from: value, error, and its terms in the same unit: bulk
+and row (the mesh, without and at the contact; without a richer row all of it is in bulk), points, penalty, steps,
+newton; terms that are unknown or were not asked for are nil. why: in words, why a bar is missing or doubtful.
+to_halve_it: the cheapest known change that halves the error.]],
+    arguments = { { "name", t.name(function(run) return run:columns() end), "a column of results" },
+                  { "step", t.count, "row of the run", otherwise = "the last one" } },
+    returns = t.record("value error", { kind = "number", gaps = true },
+      "bulk? row? points? penalty? steps? newton?", t.number, "why? to_halve_it?", t.text),
+    example = "run = model:run(stages, { errors = true })\nprint(run:budget(\"grip.fy\").penalty)" },
   { "run:attempts", [[Returns the attempts at a converged or failed step: a list of { from, to, converged, reason,
 iterations, residuals, fallback, restarted }, where from and to are fractions of the step, and restarted tells whether
 the attempt started at the step's start although a part was accepted.]],

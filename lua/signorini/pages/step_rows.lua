@@ -210,8 +210,25 @@ of the run (nan elsewhere)]], optional = true },
     [[function(info), called after each iteration with stage, step, from, to (parts of the
 step), iteration, residual, energy, reason; returns nothing, "stop", or "cut" to abandon the attempt]],
     optional = true },
+  { "measure", t.callback_of({ { "model", t.object "model" } }, t.map(t.number)),
+    [[function(model), called after each step; returns a table of numbers by name, which become columns of the run. With
+`errors` they have error bars, unlike those of on_step]], optional = true },
+  { "errors", t.either(t.flag, t.choice { "mesh" }, t.named {
+    { "terms", t.choice { "all", "mesh" }, '"mesh": the error of the mesh alone, from two companions',
+      default = "all" },
+    { "scene", t.callback_of({ { "q", t.record("mesh", t.number) } }, t.object "model", t.list(t.any), t.or_nil(t.any)),
+      [[function(q) that returns the model, its stages and its options on another mesh, with q.mesh = 1/2 and 1/4 times
+as many elements per direction; for scenes whose positions or penalties a script computes from the mesh]],
+      otherwise = "the scene made again from the tables of sg.body and sg.model" },
+  }), [[estimates the error of all results, by companions: the same path on the scene with elements two and four times
+as large, and there with half of the steps, half of the penalties, twice the points and a richer row at the contact;
+"mesh" only the first two. They are solved first, each in a process. print(run) then shows the last values with ±, and
+where the errors come from; see run:error, run:budget and share/doc/errors.md]], default = false },
 }
 rows.run.conflict = function(values)
+  if values.errors and values.arc_length then
+    return "errors compares runs row by row, and with arc_length rows depend on the path of each: remove one of the two"
+  end
   if values.resume and not values.checkpoint then
     return "resume = true needs a checkpoint file: add checkpoint = \"run.sgn\""
   end

@@ -24,7 +24,8 @@ Run.__name = "run"
 core.types.run = Run
 
 -- Fields that some runs have, or only until they end. All other unknown names are misspelled.
-local private = named.strict_type(Run, "run", "cause failure timings recorders before step model outline singular")
+local private = named.strict_type(Run, "run",
+  "cause failure timings recorders before step model outline singular companions errors")
 
 function Run:__newindex(name, value)
   if not (rawget(self, "recorders") or private[name]) then -- the run has ended
@@ -111,8 +112,9 @@ function Run.new(model, path)
   local run = setmetatable({
     model = model, outline = outline(path),
     failed = false, reason = "completed", steps = 0, rows = 0, iterations = 0, cutbacks = 0, fallback_steps = 0,
-    wary = 0, places = {}, wall = 0, stages = {}, controls = {}, fallbacks = {}, energies = {}, extra = {},
-    names = {}, values = {}, histories = {}, recorders = {}, stored_states = {}, before = model:timings(),
+    wary = 0, places = {}, wall = 0, stages = {}, controls = {}, fallbacks = {}, energies = {},
+    extra = {}, measured = {}, names = {}, values = {}, histories = {}, recorders = {}, stored_states = {},
+    before = model:timings(),
     warnings = {}, unsettled = {}, unstable_law = false,
     jumps = jumps.record(), overlaps = {}, state_findings = {}, examined = 0,
     unexamined = { states = {}, before = {} }, adaptations = {}, contact_zones = {},
@@ -170,26 +172,32 @@ local function append_row(run, position, increments, iterations, wall)
   for _, record in ipairs(run.recorders) do record(row) end
 end
 
---- Adds a column for values that on_step returns.
+--- Adds a column for values that a function of the user returns.
 function Run:add_extra(name) self.extra[name] = add_column(self, name) end
 
---- Adds the result of on_step to the last row: numbers by column name. A new name becomes a column.
-function Run:record_extra(results)
-  local function reject()
-    check.reject("on_step", "its result", "nothing, \"stop\", \"cut\" or a table of numbers by name", results)
-  end
+--- Adds the result of a function of the user, `from`, to the last row: numbers by column name. A new name becomes a
+--- column. `expected`: what else it may return, in words.
+local function record_extra(run, from, expected, results)
+  local function reject() check.reject(from, "its result", expected .. "a table of numbers by name", results) end
   if type(results) ~= "table" then reject() end
   for name, value in pairs(results) do
     if type(name) ~= "string" then reject() end
-    check.value(t.number, value, "on_step", name)
-    if not self.extra[name] then
-      if self.values[name] then
-        core.fail(("on_step: '%s' is already a column of the run. Hint: choose another name"):format(name))
+    check.value(t.number, value, from, name)
+    if not run.extra[name] then
+      if run.values[name] then
+        core.fail(("%s: '%s' is already a column of the run. Hint: choose another name"):format(from, name))
       end
-      self:add_extra(name)
+      run:add_extra(name)
     end
-    self.extra[name][self.rows] = value
+    run.extra[name][run.rows] = value
   end
+end
+
+function Run:record_extra(results) record_extra(self, "on_step", "nothing, \"stop\", \"cut\" or ", results) end
+
+function Run:record_measured(results)
+  record_extra(self, "measure", "", results) -- columns with error bars
+  for name in pairs(results) do self.measured[name] = true end
 end
 
 --- Removes the last row.
@@ -348,6 +356,8 @@ function Run:csv(file)
     { columns = self.names, rows = rows, comments = { self.failure } })
 end
 
+function Run:error(name) return require("signorini.errors.bars").error(self, name) end
+function Run:budget(name, step) return require("signorini.errors.bars").budget(self, name, step) end
 function Run:report(options) return require "signorini.output.report.run"(self, options) end
 function Run:hdf5(file, options) require("signorini.output.hdf5").write(self, file, options) end
 
@@ -379,7 +389,8 @@ function Run:__tostring()
   local spent = self.timings
   text = ("%s\ntime: bulk %.3f s, contact %.3f s, factorization and solve %.3f s, rest %.3f s")
     :format(text, spent.bulk, spent.contact, spent.linear, spent.rest)
-  for _, line in ipairs(lists.joined(failed_attempts(self), controls.lines(self), self.warnings)) do
+  local errors = self.errors and require("signorini.errors.bars").lines(self) or {}
+  for _, line in ipairs(lists.joined(failed_attempts(self), controls.lines(self), self.warnings, errors)) do
     text = text .. "\n" .. line
   end
   if self.reason == "completed" then return text end

@@ -1,7 +1,8 @@
 -- The type of bodies of several patches, with sg.body and sg.model that accept them; compound.lua is loaded for the
--- first one.
+-- first one. Both keep the tables with which they are called.
 
 local core = require "signorini.core"
+local recipes = require "signorini.scene.recipes"
 
 local Compound = { __name = "compound" }
 Compound.__index = Compound
@@ -44,16 +45,19 @@ return function(sg)
   replace(sg, "body", function(body)
     return function(values, ...)
       local several = type(entry(values, "patch")) == "table"
-      if several and select("#", ...) == 0 then return require("signorini.scene.compound").new(body, values) end
-      return body(values, ...)
+      if several and select("#", ...) == 0 then
+        return recipes.keep(require("signorini.scene.compound").new(body, values), values)
+      end
+      return recipes.keep(body(values, ...), values)
     end
   end)
   replace(sg, "model", function(model)
     return function(values, ...)
       local bodies = entry(values, "bodies")
       local several = type(bodies) == "table" and has_compound(bodies)
-      if several and select("#", ...) == 0 then values = require("signorini.scene.compound").expanded(values) end
-      return model(values, ...)
+      local whole = values
+      if several and select("#", ...) == 0 then whole = require("signorini.scene.compound").expanded(values) end
+      return recipes.keep(model(whole, ...), values)
     end
   end)
 end

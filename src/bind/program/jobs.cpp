@@ -21,7 +21,7 @@ int add_traceback(lua_State* L) {
 std::string call_job(lua_State* L, int index, int job) {
   set_threads(1);
   push_table(L, "core");
-  set_field(L, "quiet", true);
+  set_fields(L, "quiet", true, "at_once", 1);
   lua_pushcfunction(L, add_traceback);
   lua_pushvalue(L, index);
   push(L, job + 1);

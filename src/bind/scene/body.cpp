@@ -300,13 +300,16 @@ int smallest_gap(lua_State* L) {
   return are_plane(L) ? push_smallest_gap<2>(L) : push_smallest_gap<3>(L);
 }
 
-/// Number of the body in a list to which a face, edge or corner belongs; nil if to none.
+/// Number of the body in a list to which a face, edge or corner belongs, what it is, and its name: 2, "face", "south";
+/// nothing if it belongs to none.
 template <int D> int push_owner(lua_State* L, const BoundaryPart<D>& place) {
   const std::vector<Body<D>> bodies = read_objects<Body<D>>(L, 2);
   const auto own = std::find(bodies.begin(), bodies.end(), place.body);
   if (own == bodies.end()) return 0;
   push(L, static_cast<int>(own - bodies.begin()) + 1);
-  return 1;
+  push(L, place.kind);
+  push(L, place.name);
+  return 3;
 }
 
 int owner(lua_State* L) {

@@ -41,8 +41,8 @@ check.case("methods of Lua's objects, without those for the library only", funct
   run = setmetatable({}, require("signorini.run.run_result"))
   check.equal(all "run:co", { "run:column", "run:columns" })
   check.equal(all "run:record", {})
-  check.equal(all "run:", { "run:attempts", "run:column", "run:columns", "run:csv", "run:hdf5", "run:report",
-    "run:residuals", "run:states" })
+  check.equal(all "run:", { "run:attempts", "run:budget", "run:column", "run:columns", "run:csv", "run:error",
+    "run:hdf5", "run:report", "run:residuals", "run:states" })
 end)
 
 check.case("named arguments where they are possible, without those given", function()
@@ -112,8 +112,8 @@ end)
 
 check.case("of a run and a study only the documented fields", function()
   run = model:run { { name = "hold", steps = 1, grip = { 0, 0 } } }
-  check.equal(all "run:", { "run:attempts", "run:column", "run:columns", "run:csv", "run:hdf5", "run:report",
-    "run:residuals", "run:states" })
+  check.equal(all "run:", { "run:attempts", "run:budget", "run:column", "run:columns", "run:csv", "run:error",
+    "run:hdf5", "run:report", "run:residuals", "run:states" })
   check.equal(all "run.re", { "run.reason", "run.report", "run.residuals" })
   for _, hidden in ipairs { "run.__", "run.rows", "run.ex", "run.wary", "run.stored", "study:run", "study:row_of" } do
     check.equal({ hidden, all(hidden) }, { hidden, {} })

@@ -10,8 +10,7 @@ local scripts = require "signorini.prompt.help.scripts"
 -- Methods of Lua's types that the library calls; users read about the others.
 local private = {
   run = "new account begin_stage begin_step record_attempt record_probe record_cutback add_extra record_extra "
-    .. "drop_step "
-    .. "record_step record_arc record_control record_failure store_state info finish",
+    .. "record_measured drop_step record_step record_arc record_control record_failure store_state info finish",
   study = "row_of gather",
 }
 

@@ -59,9 +59,20 @@ end
 local forces = { support = "force of the support on its bodies", load = "force of the load",
                  contact = "force on the slave" }
 
---- What a column of a model's run holds: { quantity, text }; nil for one that on_step has returned.
+--- The column whose error bars a column holds; nil for other columns.
+local function column_of_error(name) return name:match "^(.*)%.error$" end
+
+--- True for the name of a column of error bars.
+function quantities.is_error(name) return column_of_error(name) ~= nil end
+
+--- What a column of a model's run holds: { quantity, text }; nil for one that a function of the user has returned.
 function quantities.of_column(model, name)
   if of_key[name] and not name:find "%." then return of_key[name] end
+  local whole = column_of_error(name)
+  if whole then
+    local about = quantities.of_column(model, whole)
+    return { about and about[1], ("error bar of %s; nan where it is unknown"):format(whole) }
+  end
   local owner, key = name:match "^(.*)%.([^.]*)$"
   local kind = owner and (lists.holds(model:support_names(), owner) and "support"
     or lists.holds(model:load_names(), owner) and "load" or lists.holds(model:contact_names(), owner) and "contact")

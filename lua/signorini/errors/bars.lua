@@ -1,0 +1,197 @@
+-- Error bars of a run: the terms of its columns, as lists, budgets and text.
+
+local check = require "signorini.call.check"
+local core = require "signorini.core"
+local format_table = require("signorini.output.table").text
+local lists = require "signorini.call.lists"
+local stages = require "signorini.run.stages"
+local t = require "signorini.call.types"
+local terms = require "signorini.errors.terms"
+
+local bars = {}
+
+local nan = 0 / 0
+local accounts = { "step", "increments", "iterations", "wall" }
+local suffix = ".error"
+
+--- The names of the columns of results: those that are not prescribed, counted, or returned by on_step.
+local function result_names(run, model)
+  local others = lists.joined(accounts)
+  for _, name in ipairs(model:driven_names()) do
+    for _, component in ipairs(stages.components(model, name)) do
+      others[#others + 1] = ("%s.%s"):format(name, component)
+    end
+  end
+  return lists.filter(run.names, function(name)
+    return not lists.holds(others, name) and (not run.extra[name] or run.measured[name])
+  end)
+end
+
+--- The constants of the model that the advice names.
+local function settings(model, run)
+  local penalties, points = {}, {}
+  for _, name in ipairs(model:contact_names()) do
+    local law = model:contact_law(name)
+    penalties[#penalties + 1], points[#points + 1] = law.penalty, law.points
+  end
+  local rows = lists.unique(penalties)
+  return { penalty = #rows == 1 and rows[1] or nil, points = #lists.unique(points) == 1 and points[1] or nil,
+           steps = #run.outline == 1 and run.outline[1].steps or nil }
+end
+
+--- Estimates the error of all results of a run that has ended, and adds a column for each: "grip.fx.error".
+function bars.attach(run, model)
+  local counts, columns = lists.map(run.outline, function(stage) return stage.steps end), {}
+  for _, name in ipairs(result_names(run, model)) do
+    columns[name] = terms.of(name, run:column(name), run.companions, counts, run.used.tolerance)
+  end
+  run.errors = { columns = columns, settings = settings(model, run), missing = run.companions.missing,
+                 names = lists.filter(run.names, function(name) return columns[name] end) }
+  for _, name in ipairs(run.errors.names) do run:add_extra(name .. suffix) end
+  for _, name in ipairs(run.errors.names) do
+    local values, total = run.values[name .. suffix], bars.list(run, name)
+    for row = 1, run.rows do values[row] = total[row] end
+  end
+end
+
+--- The bar of each row; nan where it is unknown, or where there is no honest one.
+function bars.list(run, name)
+  local column, list = run.errors.columns[name], {}
+  for row = 1, run.rows do list[row] = column.mesh.why ~= "no limit" and (column.total or {})[row] or nan end
+  return list
+end
+
+--- The column of a name that a method was called with.
+local function column_of(run, what, name)
+  if not run.errors then
+    core.fail(what .. ": the run has no error bars. Hint: model:run(stages, { errors = true })")
+  end
+  check.value(t.choice(run.errors.names), name, what, "name")
+  return run.errors.columns[name]
+end
+
+function bars.error(run, name)
+  column_of(run, "run:error", name)
+  return bars.list(run, name)
+end
+
+-- ── Budget ───────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+local parts = { "bulk", "row", "points", "penalty", "steps", "newton" }
+
+--- The terms of a row by name; those of the mesh divided into bulk and row as far as that is known.
+local function budget_of(column, row)
+  local mesh = column.mesh.bars[row]
+  local budget = { points = column.points and column.points[row], penalty = column.penalty and column.penalty[row],
+                   steps = column.steps and column.steps[row], newton = column.newton and column.newton[row] }
+  if mesh and column.row then
+    budget.row = column.row * mesh
+    budget.bulk = mesh - budget.row
+  else
+    budget.bulk = mesh
+  end
+  return budget
+end
+
+local function finer(factor, _, order) return ("elements × %.2g per direction"):format(factor ^ (1 / order)) end
+
+-- What makes a term `factor` times as small, in words.
+local cures = {
+  bulk = finer,
+  penalty = function(factor, given)
+    return given.penalty and ("penalty %.2g"):format(factor * given.penalty) or ("penalties × %.2g"):format(factor)
+  end,
+  steps = function(factor, given)
+    return given.steps and ("%d steps"):format(math.ceil(factor * given.steps)) or ("steps × %.2g"):format(factor)
+  end,
+  points = function(factor, given)
+    local more = math.sqrt(factor)
+    return given.points and ("points = %d"):format(math.ceil(more * given.points)) or ("points × %.2g"):format(more)
+  end,
+  row = function(factor, given, order)
+    return factor <= 4 and "a richer row (a layer, or layer_knots = 2)" or finer(factor, given, order)
+  end,
+}
+
+local most_factor = 8 -- by which the advice reduces a single term
+
+--- What halves the sum of the terms, in words: the largest ones, as few as possible, reduced by the same factor.
+local function advice(column, budget, total, given)
+  local list = lists.filter({ "bulk", "row", "points", "penalty", "steps" }, function(key) return budget[key] end)
+  table.sort(list, function(a, b) return budget[a] > budget[b] end)
+  local rest, sum = total, 0
+  for count, key in ipairs(list) do
+    sum, rest = sum + budget[key], rest - budget[key]
+    local left = total / 2 - rest
+    if left > 0 and sum / left <= most_factor or count == #list and left > 0 then
+      return table.concat(lists.map({ table.unpack(list, 1, count) }, function(term)
+        return cures[term](sum / left, given, column.mesh.order)
+      end), ", ")
+    end
+  end
+end
+
+--- The budget of a row: value, error, each term as far as it is known, and why bars are missing or doubtful.
+function bars.budget(run, name, row)
+  local column = column_of(run, "run:budget", name)
+  row = row or run.rows
+  check.value(t.integer(1, run.rows), row, "run:budget", "step")
+  local budget, error = budget_of(column, row), bars.list(run, name)[row]
+  budget.value, budget.error, budget.why = run.values[name][row], error, column.mesh.why
+  budget.to_halve_it = error == error and error > 0 and advice(column, budget, error, run.errors.settings) or nil
+  return budget
+end
+
+-- ── Text ─────────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+--- A value with as many digits as its bar allows, and the bar: "-0.0176 ± 2.5 %", of small values "0.003 ± 0.02".
+local function value_text(value, error, doubt)
+  if error ~= error then return ("%.6g"):format(value), doubt == "no limit" and "no limit" or "unknown" end
+  local sign = doubt and "±? " or "± "
+  if error == 0 then return ("%.10g"):format(value), sign .. "0" end
+  local last = math.floor(math.log(error, 10)) - 1
+  local digits = math.max(0, -last)
+  local text = math.abs(value) >= 1e-4 and math.abs(value) < 1e7 and digits <= 12 and ("%.*f"):gsub("%*", digits)
+    or "%.6g"
+  local share = 100 * error / math.abs(value)
+  return text:format(value), share < 100 and ("%s%.2g %%"):format(sign, share) or ("%s%.2g"):format(sign, error)
+end
+
+local most_lines = 16
+
+local doubts = {
+  ["no limit"] = "%s: grows with each refinement, as at a sharp edge: there is no value that a finer mesh would reach",
+  ["not converging"] = "%s: does not converge with the mesh (±?: the largest difference of three meshes), as at "
+    .. "irregular stick–slip or jumps. Hint: consider means over a stage, by measure",
+}
+
+--- Lines about the last row, for print(run).
+function bars.lines(run)
+  if not run.errors or run.rows == 0 then return {} end
+  if run.errors.missing then return { "errors are unknown: " .. run.errors.missing } end
+  local names = lists.filter(run.errors.names, function(name) return run.errors.columns[name].size > 0 end)
+  local shown, rows, notes = { table.unpack(names, 1, most_lines) }, {}, {}
+  local used = lists.filter(parts, function(part)
+    return part ~= "newton" and lists.any(shown, function(name) return bars.budget(run, name, run.rows)[part] end)
+  end)
+  for i, name in ipairs(shown) do
+    local column, budget = run.errors.columns[name], bars.budget(run, name, run.rows)
+    local value, bar = value_text(budget.value, budget.error, budget.why)
+    rows[i] = { name, value, bar }
+    for k, part in ipairs(used) do
+      rows[i][3 + k] = budget[part] and ("%.2g"):format(100 * budget[part] / column.size) or "unknown"
+    end
+    rows[i][4 + #used] = budget.to_halve_it or ""
+    local doubt = doubts[budget.why] or budget.why and "%s: unknown, " .. budget.why:gsub("%%", "%%%%")
+    if doubt then notes[#notes + 1] = doubt:format(name) end
+  end
+  local columns = lists.joined({ "quantity", "value", "error" }, used, { "to halve it" })
+  local units = lists.map(columns, function(_, i) return i > 3 and i < #columns and "%" or "" end)
+  local text = format_table { columns = columns, units = units, rows = rows }
+  local more = #names > most_lines and { ("and %d more, see run:budget"):format(#names - most_lines) } or {}
+  return lists.joined({ "", text }, more, lists.unique(notes), {
+    "Terms in % of the largest value of the run. Errors are those of the solution of this model; its laws, data and "
+      .. "idealization are not included." })
+end
+
+return bars

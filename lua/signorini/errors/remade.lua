@@ -1,0 +1,170 @@
+-- Makes a model again from the tables of sg.body and sg.model with which it was made, with changes: other elements,
+-- other rows at the contact, other penalties, other points.
+
+local compound = require "signorini.scene.compound"
+local core = require "signorini.core"
+local lists = require "signorini.call.lists"
+local recipes = require "signorini.scene.recipes"
+
+local remade = {}
+
+--- Why a model cannot be made again, in words; nil if it can.
+function remade.obstacle(model)
+  local values = recipes.of(model)
+  if not values then return "the model was not made by sg.model in this script" end
+  for _, name in ipairs(lists.sorted_names(values.bodies)) do
+    if not recipes.of(values.bodies[name]) then
+      return ("body '%s' was not made by sg.body in this script"):format(name)
+    end
+  end
+end
+
+-- ── Bodies ───────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+--- The bodies of a scene with those of several patches as their parts: objects in order, and the name of a part's face
+--- in its body for each, "%s" or "2.%s".
+local function single_bodies(bodies)
+  local list = {}
+  for _, name in ipairs(lists.sorted_names(bodies)) do
+    local body = bodies[name]
+    for i, part in ipairs(compound.is(body) and body.parts or { body }) do
+      list[#list + 1] = { owner = name, object = part, face = compound.is(body) and i .. ".%s" or "%s" }
+    end
+  end
+  return list
+end
+
+--- Calls f(face) for the faces in a value, a face or nested lists of them.
+local function each_face(value, f)
+  if core.kind(value) == "face" then f(value) end
+  for _, one in ipairs(type(value) == "table" and value or {}) do each_face(one, f) end
+end
+
+--- The names of the faces in contact, by body: { slab = { "north" } }.
+local function contact_faces(values, singles)
+  local faces, objects = {}, lists.map(singles, function(one) return one.object end)
+  for _, name in ipairs(lists.sorted_names(values.contacts or {})) do
+    local contact = values.contacts[name]
+    each_face({ contact.slave, core.kind(contact.master) ~= "obstacle" and contact.master or nil }, function(face)
+      local number, _, side = core.owner(face, objects)
+      local single = singles[number]
+      faces[single.owner] = lists.unique(lists.joined(faces[single.owner] or {}, { single.face:format(side) }))
+    end)
+  end
+  return faces
+end
+
+--- The number of elements of a body of sg.body's table.
+local function count(values)
+  local lists_of, sum = { values.elements }, 0
+  if type(values.elements[1]) == "table" then lists_of = values.elements end
+  for _, elements in ipairs(lists_of) do
+    local product = 1
+    for _, n in ipairs(elements) do product = product * n end
+    sum = sum + product
+  end
+  local several = type(values.patch) == "table" and type(values.elements[1]) ~= "table"
+  return several and sum * #values.patch or sum
+end
+
+--- The mean size of the elements of a model in units of a scene with a single one, their number ^ (-1/dimension), and
+--- the dimension.
+function remade.size(model)
+  local values, sum, directions = recipes.of(model), 0, 2
+  for _, body in pairs(values.bodies) do
+    local own = recipes.of(body)
+    sum = sum + count(own)
+    directions = type(own.elements[1]) == "table" and #own.elements[1] or #own.elements
+  end
+  return sum ^ (-1 / directions), directions
+end
+
+-- ── Changes of bodies and contacts ───────────────────────────────────────────────────────────────────────────────────
+
+local changes = {}
+
+--- sg.body's table with elements that are `factor` times as many per direction.
+function changes.elements(values, factor)
+  local function scaled(n) return type(n) == "table" and lists.map(n, scaled) or math.max(1, math.ceil(n * factor)) end
+  return lists.merged(values, { elements = scaled(values.elements) })
+end
+
+local function richer(label) return label:find "^N%d+$" and ("%s-%s.2"):format(label, label) or label end
+
+--- sg.body's table with a layer on the faces in contact, or with a layer of elements of half the size.
+function changes.row(values, faces)
+  local labels = type(values.order) == "table" and values.order or { values.order }
+  if lists.any(labels, function(label) return label:find("-", 1, true) end) then
+    local knots = values.layer_knots or 1
+    if type(knots) == "table" then core.fail "layer_knots is a list, whose elements cannot be halved" end
+    return lists.merged(values, { layer_knots = 2 * knots })
+  end
+  if not faces then return values end
+  local order = type(values.order) == "table" and lists.map(values.order, richer) or richer(values.order)
+  return lists.merged(values, { order = order, contact = values.contact or faces })
+end
+
+local most_points = 100
+
+--- True if the penalty of a contact is a part of its model, not of the method that solves it.
+local function is_elastic(law) return law.penalty ~= nil and law.enforcement ~= "multipliers" end
+
+--- sg.model's table of a contact with changes. `law`: its constants in the model; a penalty that would follow from the
+--- mesh is that of the model.
+local function contact_again(values, law, change)
+  local again, factor = lists.merged(values), change.penalty or 1
+  if is_elastic(law) then
+    again.penalty = factor * (values.penalty or law.penalty)
+    local friction = values.friction
+    again.friction = friction and lists.merged(friction, { penalty = friction.penalty and factor * friction.penalty })
+  end
+  if change.points then again.points = math.min(most_points, change.points * law.points) end
+  return again
+end
+
+-- ── The model ────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+--- True if a change of the penalties changes the model.
+function remade.has_penalty(model)
+  return lists.any(model:contact_names(), function(name) return is_elastic(model:contact_law(name)) end)
+end
+
+--- A model of the same scene at the start of its path. change: { elements = factor of their number per direction, row =
+--- true: one level richer at the contact, penalty = factor, points = factor }. Its remaining constants are those of
+--- `model`, also where they would follow from the mesh.
+function remade.model(model, change)
+  local values, swap, again = recipes.of(model), {}, {}
+  local singles = single_bodies(values.bodies)
+  local faces = change.row and contact_faces(values, singles)
+  local bodies = {}
+  for name, body in pairs(values.bodies) do
+    local own = recipes.of(body)
+    if change.elements then own = changes.elements(own, change.elements) end
+    if change.row then own = changes.row(own, faces[name]) end
+    bodies[name] = core.sg.body(own)
+    swap[body] = bodies[name]
+  end
+  for i, single in ipairs(single_bodies(bodies)) do again[i] = single.object end
+  local objects = lists.map(singles, function(one) return one.object end)
+
+  local function swapped(value)
+    if swap[value] then return swap[value] end
+    if core.kind(value) == "face" then
+      local number, kind, name = core.owner(value, objects)
+      return again[number][kind](again[number], name)
+    end
+    if core.kind(value) ~= "table" or getmetatable(value) and not lists.length(value) then return value end
+    local own = {}
+    for key, entry in next, value do own[key] = swapped(entry) end
+    return own
+  end
+
+  local scene = {}
+  for key, value in pairs(values) do scene[key] = key == "bodies" and bodies or swapped(value) end
+  for name, contact in pairs(scene.contacts or {}) do
+    scene.contacts[name] = contact_again(contact, model:contact_law(name), change)
+  end
+  return core.sg.model(scene)
+end
+
+return remade

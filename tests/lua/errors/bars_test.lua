@@ -1,0 +1,184 @@
+-- Error bars of runs: closed forms of single terms, what is unknown, where they appear.
+
+require "check"
+
+local function strip(o)
+  return scenes.model{
+    bodies = { block = { size = { 4, 1 }, elements = o.elements or { 16, 4 }, contact = "south" } },
+    supports = { grip = { on = "north", drive = "y", fix = "x" } },
+    contacts = { floor = { slave = "south", penalty = o.penalty or 200, friction = o.friction,
+                           master = o.master or sg.rigid.cylinder{ center = { 2, -8 }, radius = 8 } } } }
+end
+
+local press = { { name = "press", steps = 4, grip = -0.1 } }
+
+local function bar(run, name) return run:budget(name, run.rows) end
+
+-- ── Closed forms ─────────────────────────────────────────────────────────────────────────────────────────────────────
+
+check.case("penalty: of a column on a penalty plane, F k/ε", function()
+  local E, height, d, penalty = 1, 1, 0.01, 20
+  local model = scenes.model{ bodies = { block = { material = sg.linear_elastic{ E = E, nu = 0 }, contact = "south" } },
+    supports = { grip = { on = "north", drive = "y" }, side = { on = "west", fix = "x" } },
+    contacts = { floor = { slave = "south", master = scenes.floor(), penalty = penalty } } }
+  local run = model:run({ { steps = 2, grip = -d } }, { errors = true })
+  local k = E / height
+  local exact, force = k * d, run:column("grip.fy")[2]
+  check.near(bar(run, "grip.fy").penalty, exact - math.abs(force), 0.1 * (exact - math.abs(force)))
+  check.at_most("mesh", bar(run, "grip.fy").bulk / exact, 1e-9) -- one element is exact
+end)
+
+check.case("steps: the error of slip that is measured at the end of each step, c/n", function()
+  local function drag(times)
+    return sg.scenes.ironing{ order = "N2", mu = 0.3, refinement = 2 }:run({ { steps = 4 * times, grip = { 0, -0.1 } },
+      { steps = 8 * times, grip = { 0.6, -0.1 } } }, { errors = times == 1 })
+  end
+  local run, fine, estimated, exact = drag(1), drag(16), 0, 0
+  for row = 1, 12 do
+    estimated = estimated + run:budget("grip.fx", row).steps ^ 2
+    exact = exact + (run:column("grip.fx")[row] - fine:column("grip.fx")[16 * row]) ^ 2
+  end
+  check.within_share("term of the steps, root mean square", math.sqrt(estimated), math.sqrt(exact), 0.3)
+end)
+
+check.case("without contact only mesh and steps have terms", function()
+  local model = scenes.model{ bodies = { block = { elements = { 4, 4 } } },
+    supports = { bed = { on = "south", fix = "xy" }, grip = { on = "north", drive = "xy" } } }
+  local budget = bar(model:run({ { steps = 2, grip = { 0.3, 0 } } }, { errors = true }), "grip.fx")
+  check.equal(budget.penalty, nil)
+  check.equal(budget.points, nil)
+  if not (budget.bulk > 0 and budget.steps) then error "no term of the mesh or of the steps" end
+end)
+
+-- ── Bars hold ────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+check.case("the forces of a finer model are inside the bars; a run without errors has the same bits", function()
+  local run, plain = strip{}:run(press, { errors = true }), strip{}:run(press)
+  local finer = strip{ elements = { 64, 16 }, penalty = 2000 }:run{ { steps = 8, grip = -0.1 } }
+  for row = 1, 4 do
+    check.equal(run:column("grip.fy")[row], plain:column("grip.fy")[row])
+    local error_of, limit = math.abs(run:column("grip.fy")[row] - finer:column("grip.fy")[2 * row]),
+      run:error("grip.fy")[row]
+    if error_of > limit then error(("row %d: error %g, bar %g"):format(row, error_of, limit)) end
+  end
+  check.at_most("iterations of companions in the run", run.iterations - plain.iterations, 0)
+end)
+
+check.case("mesh only: two companions, whose term is the bar", function()
+  local run = strip{}:run(press, { errors = "mesh" })
+  local budget = bar(run, "grip.fy")
+  check.equal(budget.steps, nil)
+  check.equal(budget.row, nil)
+  check.near(budget.error, budget.bulk + budget.newton, 1e-15)
+end)
+
+check.case("a further run repeats the earlier ones", function()
+  local model = strip{}
+  model:run(press)
+  local run = model:run({ { name = "lift", steps = 2, grip = -0.05 } }, { errors = "mesh" })
+  check.at_most("relative", run:error("grip.fy")[2] / math.abs(run:column("grip.fy")[2]), 0.2)
+end)
+
+check.case("a scene function gives the other meshes", function()
+  local meshes = {}
+  local function scene(q)
+    meshes[#meshes + 1] = q.mesh
+    return strip{ elements = { math.ceil(16 * q.mesh), math.ceil(4 * q.mesh) } }, press
+  end
+  local with = strip{}:run(press, { errors = { terms = "mesh", scene = scene } })
+  local without = strip{}:run(press, { errors = "mesh" })
+  check.equal(with:error("grip.fy")[4], without:error("grip.fy")[4])
+end)
+
+check.case("measure: columns of the user have bars, those of on_step have none", function()
+  local run = strip{}:run(press, { errors = "mesh",
+    measure = function(model) return { half = model:reaction("grip").fy / 2 } end,
+    on_step = function() return { other = 1 } end })
+  check.near(run:error("half")[4], run:error("grip.fy")[4] / 2, 1e-3 * run:error("half")[4])
+  check.fails(function() run:error "other" end, "other")
+end)
+
+-- ── What is unknown ──────────────────────────────────────────────────────────────────────────────────────────────────
+
+local function is_nan(value) return value ~= value end
+
+check.case("the peak under a sharp edge has no limit", function()
+  local block = sg.rigid.surface(sg.nurbs.line{ from = { 2.5, 0 }, to = { 1.5, 0 } })
+  local run = strip{ master = block, elements = { 32, 8 }, penalty = 1e4 }:run(press, { errors = "mesh" })
+  check.equal(bar(run, "floor.max_pressure").why, "no limit")
+  if not is_nan(run:error("floor.max_pressure")[4]) then error "it has a bar" end
+end)
+
+check.case("a model from a file has no table: unknown, with the reason", function()
+  local file = check.folder() .. "/model.sgn"
+  strip{}:save(file)
+  local run = sg.load(file):run(press, { errors = true })
+  if not is_nan(run:error("grip.fy")[4]) then error "it has a bar" end
+  check.holds(tostring(run), "errors are unknown: the model was not made by sg.model")
+end)
+
+check.case("after steps of the user's own: unknown, with the reason", function()
+  local model = strip{}
+  model:set_target("grip", { -0.05 })
+  model:solve_step()
+  model:accept()
+  check.holds(tostring(model:run(press, { errors = true })), "not reached by completed runs")
+end)
+
+check.case("a companion that fails: unknown from there on, never 0", function()
+  local calls = 0
+  local run = strip{}:run(press, { errors = { scene = function(q)
+    calls = calls + 1
+    if q.mesh < 1 / 2 then return strip{ elements = { 4, 1 } }, press end
+    return strip{ elements = { 8, 2 } }, { { steps = 4, grip = -0.9 } }, { newton = { iterations = 3 },
+      step = { adaptive = false }, fallback = false }
+  end } })
+  if not is_nan(run:error("grip.fy")[4]) then error "it has a bar" end
+  check.holds(tostring(run), "unknown")
+end)
+
+check.case("an error in the scene function is the reason that is shown", function()
+  local run = strip{}:run(press, { errors = { scene = function() return 1 end } })
+  check.holds(tostring(run), "errors.scene must return a model")
+end)
+
+-- ── Where they appear ────────────────────────────────────────────────────────────────────────────────────────────────
+
+check.case("columns, files, table; resumed runs have the same bars", function()
+  local folder = check.folder()
+  local options = { errors = true, hdf5 = folder .. "/run.h5", checkpoint = folder .. "/run.sgn" }
+  local run = strip{}:run(press, options)
+  check.equal(run:column("grip.fy.error")[4], run:error("grip.fy")[4])
+  run:csv(folder .. "/run.csv")
+  check.equal(sg.csv.read(folder .. "/run.csv"):column "grip.fy.error"[4], run:error("grip.fy")[4])
+  local file = core.open_result_file(folder .. "/run.h5")
+  check.equal(file:numbers("/columns/grip.fy.error")[4], run:error("grip.fy")[4])
+  check.holds(tostring(run), "±")
+  check.holds(tostring(run), "to halve it")
+  local again = strip{}:run(press, lists.merged(options, { resume = true }))
+  check.equal(again:error("grip.fy")[4], run:error("grip.fy")[4])
+end)
+
+check.case("wrong input", function()
+  local model = strip{}
+  local function wrong(options, ...)
+    check.fails(function() model:run(press, options) end, ...)
+  end
+  wrong({ errors = "all" }, "errors")
+  wrong({ errors = 2 }, "errors")
+  wrong({ errors = { term = "mesh" } }, "term")
+  wrong({ errors = { terms = "steps" } }, "terms")
+  wrong({ errors = { scene = 3 } }, "scene")
+  wrong({ errors = true, arc_length = true }, "arc_length")
+  wrong({ measure = 3 }, "measure")
+  check.fails(function() strip{}:run(press, { measure = function() return 3 end }) end, "measure")
+  check.fails(function() strip{}:run(press, { measure = function() return { ["grip.fx"] = 3 } end }) end, "grip.fx")
+  local plain = strip{}:run(press)
+  check.fails(function() plain:error "grip.fy" end, "errors = true")
+  check.fails(function() plain:budget "grip.fy" end, "errors = true")
+  local run = strip{}:run(press, { errors = "mesh" })
+  check.fails(function() run:error "grip.fz" end, "grip.fy")
+  check.fails(function() run:budget("grip.fy", 9) end, "step")
+  check.fails(function() run:budget("grip.fy", 0) end, "step")
+  check.fails(function() run:error() end, "name")
+end)
