@@ -15,8 +15,11 @@ local where = "model:run"
 
 -- ── Paths ────────────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- The steps of a stage in the companion with other steps: half as many, of a single step two.
-function companions.other_steps(steps) return steps > 1 and (steps + 1) // 2 or 2 end
+--- The steps of a stage times a factor, rounded up; half of a single step is two, which can be compared as well.
+function companions.steps_of(steps, factor)
+  if factor == 1 / 2 and steps == 1 then return 2 end
+  return math.max(1, math.ceil(factor * steps))
+end
 
 --- The constants of contacts that a stage changes, with other penalties.
 local function scaled_contacts(contacts, factor)
@@ -32,102 +35,123 @@ end
 --- The stages of a companion.
 local function changed_stages(list, change)
   return lists.map(list, function(stage)
-    local steps = change.steps and companions.other_steps(stage.steps) or stage.steps
     local contacts = change.penalty and stage.contacts and scaled_contacts(stage.contacts, change.penalty)
-    return lists.merged(stage, { steps = steps, contacts = contacts })
+    return lists.merged(stage, { steps = companions.steps_of(stage.steps, change.steps or 1), contacts = contacts })
   end)
 end
 
 --- Options of a run that companions do not have: its files, its callbacks, and what they show.
-local own = { "errors", "checkpoint", "resume", "hdf5", "on_step", "on_iteration", "threads" }
+local own = { "errors", "tolerance", "limit", "checkpoint", "resume", "hdf5", "on_step", "on_iteration", "threads" }
 
 local function changed_options(options, change)
   local all = lists.merged(options, { states = {}, verbose = false })
   for _, key in ipairs(own) do all[key] = nil end
-  if all.penalty and change.steps then
-    all.penalty = lists.merged(all.penalty, { steps = companions.other_steps(all.penalty.steps) })
+  if all.penalty then
+    all.penalty = lists.merged(all.penalty, { steps = companions.steps_of(all.penalty.steps, change.steps or 1) })
   end
   return all
 end
 
--- ── One companion ────────────────────────────────────────────────────────────────────────────────────────────────────
+-- ── One version of a scene ───────────────────────────────────────────────────────────────────────────────────────────
 
---- Solves the path of a run for a changed scene; returns its record. `scene`: { model, list, options, before (earlier
---- runs), make (a function of the user for other meshes, or nil) }.
-local function solve(scene, change)
-  local run = require "signorini.run.run"
-  local began, again = core.now(), { model = scene.model, list = scene.list, options = scene.options }
-  local elements = 1 / change.level
-  if scene.make then
-    local model, list, options = scene.make { mesh = elements }
-    if core.kind(model) ~= "model" then
-      core.fail(("%s: errors.scene must return a model and its stages, got %s"):format(where, core.describe(model)))
-    end
-    again.model, elements = model, nil
-    again.list, again.options = check.call(where, model, list, options)
-  end
-  local model = remade.model(again.model, lists.merged(change, { elements = elements }))
-  for _, before in ipairs(scene.before) do
-    run(model, changed_stages(before[1], change), changed_options(before[2], change))
-  end
-  local result = run(model, changed_stages(again.list, change), changed_options(again.options, change))
-  return { rows = result.rows, values = result.values, failure = result.failure, size = remade.size(model),
-           wall = core.now() - began,
-           steps = lists.map(changed_stages(again.list, change), function(stage) return stage.steps end) }
-end
-
--- ── All companions ───────────────────────────────────────────────────────────────────────────────────────────────────
-
---- The changes on the level of the companions that are not for the mesh alone.
-local function changes_of(scene, level)
-  local list = { { name = "points", level = level, points = 2 }, { name = "row", level = level, row = true },
-                 { name = "penalty", level = level, penalty = 1 / 2 }, { name = "steps", level = level, steps = true } }
-  local has_contact, has_penalty = #scene.model:contact_names() > 0, remade.has_penalty(scene.model)
-  return lists.filter(list, function(change)
-    return has_contact and (change.name ~= "penalty" or has_penalty) or change.name == "steps"
-  end)
-end
-
---- Solves companions in processes; adds their records by name.
-local function solve_all(scene, changes, records, bar)
-  local whole = core.jobs(#changes, core.at_once, function(k)
-    return core.pack(solve(scene, changes[k]))
-  end, function(k, text, failure)
-    local change = changes[k]
-    local record = text and core.unpack(text)
-      or { rows = 0, values = {}, failure = failure:gsub("^failed: ", ""):match "^[^\n]*" }
-    records[change.name] = lists.merged(record, { level = change.level })
-    bar:step(("companion '%s'"):format(change.name))
-    bar:line(("companion '%s': %s%s"):format(change.name, counted(record.rows, "step"),
-      record.failure and ", failed: " .. record.failure or ""))
-  end)
-  if not whole then core.fail(core.interruption()) end
-end
-
---- The records of the companions of a run by name, "2h", "4h", "points", …, or { missing = why there are none, in
---- words }. wanted: true, "mesh", or { terms, scene } as model:run has read it.
-function companions.solve(model, list, options)
-  local wanted = type(options.errors) == "table" and options.errors or {}
-  local only_mesh = options.errors == "mesh" or wanted.terms == "mesh"
-  local before = history.of(model)
+--- What is needed to solve other versions of a scene from its start: { model, list, options, before (earlier runs),
+--- make (a function of the user for other meshes, or nil) }; or nil, and why it cannot be made again. The model has not
+--- begun the path.
+function companions.scene(model, list, options)
+  local before, wanted = history.of(model), type(options.errors) == "table" and options.errors or {}
   if core.ranks > 0 then
     core.fail(where .. ": errors: companions run in forked processes, which MPI does not support. Hint: run without "
       .. "mpirun, or without errors")
   end
   local missing = remade.obstacle(model) or not before
     and "the model's state was not reached by completed runs of this script alone"
-  if missing then return { missing = missing } end
-  local scene = { model = model, list = list, options = options, before = before, make = wanted.scene }
-  local size, directions = remade.size(model)
+  if missing then return nil, missing end
+  return { model = model, list = list, options = options, before = before, make = wanted.scene }
+end
+
+--- Makes a scene with changes, see remade.model; `steps`: a factor on the steps of all stages. Returns the model in the
+--- state before the path, its stages, its options, and the runs before.
+function companions.made(scene, change)
+  local run = require "signorini.run.run"
+  local model, list, options, rest = scene.model, scene.list, scene.options, change
+  if scene.make and change.elements then
+    model, list, options = scene.make { mesh = change.elements }
+    if core.kind(model) ~= "model" then
+      core.fail(("%s: errors.scene must return a model and its stages, got %s"):format(where, core.describe(model)))
+    end
+    rest = lists.merged(change)
+    rest.elements = nil
+    list, options = check.call(where, model, list, options)
+  end
+  model = remade.model(model, rest)
+  local before = lists.map(scene.before, function(earlier)
+    return { changed_stages(earlier[1], change), changed_options(earlier[2], change) }
+  end)
+  for _, earlier in ipairs(before) do run(model, earlier[1], earlier[2]) end
+  return model, changed_stages(list, change), changed_options(options, change), before
+end
+
+--- What companions keep of a run: values by column, rows, steps of the stages, size of the elements, failure, time.
+function companions.record(model, run, list)
+  return { rows = run.rows, values = run.values, failure = run.failure, size = remade.size(model), wall = run.wall,
+           counts = lists.map(list, function(stage) return stage.steps end) }
+end
+
+local function solve(scene, change)
+  core.mute_warnings(true)
+  local model, list, options = companions.made(scene, change)
+  return companions.record(model, require "signorini.run.run"(model, list, options), list)
+end
+
+-- ── Companions ───────────────────────────────────────────────────────────────────────────────────────────────────────
+
+--- Solves versions of a scene in processes, changes with names; adds their records by name.
+function companions.solve_all(scene, changes, records, bar)
+  local whole = core.jobs(#changes, core.at_once, function(k)
+    return core.pack(solve(scene, changes[k]))
+  end, function(k, text, failure)
+    local name = changes[k].name
+    records[name] = text and core.unpack(text)
+      or { rows = 0, values = {}, failure = failure:gsub("^failed: ", ""):match "^[^\n]*" }
+    bar:step(("companion '%s'"):format(name))
+    bar:line(("companion '%s': %s%s"):format(name, counted(records[name].rows, "step"),
+      records[name].failure and ", failed: " .. records[name].failure or ""))
+  end)
+  if not whole then core.fail(core.interruption()) end
+end
+
+--- The changes with elements of so many times the run's, besides the mesh.
+local function changes_of(scene, elements)
+  local list = { { name = "points", points = 2 }, { name = "row", row = true }, { name = "penalty", penalty = 1 / 2 },
+                 { name = "steps", steps = 1 / 2 } }
+  local has_contact, has_penalty = #scene.model:contact_names() > 0, remade.has_penalty(scene.model)
+  local wanted = lists.filter(list, function(change)
+    return has_contact and (change.name ~= "penalty" or has_penalty) or change.name == "steps"
+  end)
+  return lists.map(wanted, function(change) return lists.merged(change, { elements = elements }) end)
+end
+
+--- The records of the companions of a scene by name: "2h", "4h", "points", …; `reference`: of which of these two the
+--- others differ; size: of the elements of the scene itself.
+function companions.solve(scene, only_mesh)
+  local size, directions = remade.size(scene.model)
   local records = { size = size }
   local bar = progress(only_mesh and 2 or 6)
-  solve_all(scene, { { name = "2h", level = 2 }, { name = "4h", level = 4 } }, records, bar)
+  companions.solve_all(scene, { { name = "2h", elements = 1 / 2 }, { name = "4h", elements = 1 / 4 } }, records, bar)
   if not only_mesh and records["2h"].rows > 0 then
-    local level = directions == 3 and not records["4h"].failure and 4 or 2
-    solve_all(scene, changes_of(scene, level), records, bar)
+    records.reference = directions == 3 and not records["4h"].failure and "4h" or "2h"
+    companions.solve_all(scene, changes_of(scene, records.reference == "4h" and 1 / 4 or 1 / 2), records, bar)
   end
   bar:clear()
   return records
+end
+
+--- The records of the companions of a run, or { missing = why there are none, in words }.
+function companions.of_run(model, list, options)
+  local scene, missing = companions.scene(model, list, options)
+  if not scene then return { missing = missing } end
+  local wanted = options.errors
+  return companions.solve(scene, wanted == "mesh" or type(wanted) == "table" and wanted.terms == "mesh")
 end
 
 return companions

@@ -113,12 +113,14 @@ local function is_elastic(law) return law.penalty ~= nil and law.enforcement ~= 
 --- mesh is that of the model.
 local function contact_again(values, law, change)
   local again, factor = lists.merged(values), change.penalty or 1
-  if is_elastic(law) then
+  if change.default_penalty then
+    again.penalty = nil
+  elseif is_elastic(law) then
     again.penalty = factor * (values.penalty or law.penalty)
     local friction = values.friction
     again.friction = friction and lists.merged(friction, { penalty = friction.penalty and factor * friction.penalty })
   end
-  if change.points then again.points = math.min(most_points, change.points * law.points) end
+  if (change.points or 1) ~= 1 then again.points = math.min(most_points, math.ceil(change.points * law.points)) end
   return again
 end
 
@@ -129,8 +131,18 @@ function remade.has_penalty(model)
   return lists.any(model:contact_names(), function(name) return is_elastic(model:contact_law(name)) end)
 end
 
+--- The largest penalty of the contacts in units of the one that follows from material and mesh; 0 without penalties.
+function remade.stiffness(model)
+  local most, default = 0, remade.model(model, { default_penalty = true })
+  for _, name in ipairs(model:contact_names()) do
+    local law = model:contact_law(name)
+    if is_elastic(law) then most = math.max(most, law.penalty / default:contact_law(name).penalty) end
+  end
+  return most
+end
+
 --- A model of the same scene at the start of its path. change: { elements = factor of their number per direction, row =
---- true: one level richer at the contact, penalty = factor, points = factor }. Its remaining constants are those of
+--- true: one level richer at the contact, penalty = factor, points = factor, default_penalty = true }. Its remaining constants are those of
 --- `model`, also where they would follow from the mesh.
 function remade.model(model, change)
   local values, swap, again = recipes.of(model), {}, {}
@@ -139,7 +151,7 @@ function remade.model(model, change)
   local bodies = {}
   for name, body in pairs(values.bodies) do
     local own = recipes.of(body)
-    if change.elements then own = changes.elements(own, change.elements) end
+    if (change.elements or 1) ~= 1 then own = changes.elements(own, change.elements) end
     if change.row then own = changes.row(own, faces[name]) end
     bodies[name] = core.sg.body(own)
     swap[body] = bodies[name]

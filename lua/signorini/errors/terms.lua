@@ -86,24 +86,21 @@ end
 
 -- ── Steps ────────────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- The term of the steps from a companion with other steps: its error is c/m, that of the run c/n, with m and n steps
---- of a stage. `counts`: steps of the stages of the run.
-local function step_term(reference, other, counts)
+--- The term of the steps, in the rows of the reference, from a companion with other steps: its error is c/m, that of
+--- the reference c/n, with m and n steps of a stage.
+local function step_term(reference, other, counts, other_counts)
   local bars, first, last = {}, 0, 0
   for s, n in ipairs(counts) do
-    local m, known = other.counts[s], {}
+    local m, known = other_counts[s], {}
     for k = 1, m do
       local at = k * n / m
       local i = math.floor(at + 1e-9)
-      local a, b = reference[first + i], reference[first + i + 1]
-      if i == 0 then a = first > 0 and reference[first] or 0 end
-      local value = other.values[last + k]
-      local between = at - i > 1e-9
+      local a, b = i > 0 and reference[first + i] or first > 0 and reference[first] or 0, reference[first + i + 1]
+      local value, between = other[last + k], at - i > 1e-9
       if not (a and value and (b or not between)) then break end
-      local difference = math.abs(value - (between and a + (b - a) * (at - i) or a))
-      known[k] = difference / math.abs(n / m - 1)
+      known[k] = math.abs(value - (between and a + (b - a) * (at - i) or a)) / math.abs(n / m - 1)
     end
-    for i = 1, n do -- the nearest of the companion's steps
+    for i = 1, n do -- the next of the companion's steps
       local k = math.max(1, math.ceil(i * m / n - 1e-9))
       if not known[k] or not reference[first + i] then return widened(bars, 1) end
       bars[first + i] = known[k]
@@ -111,6 +108,16 @@ local function step_term(reference, other, counts)
     first, last = first + n, last + m
   end
   return widened(bars, 1)
+end
+
+--- A list over the rows of one path in the rows of the same path with other steps: that of the next step.
+local function in_rows(list, counts, own_counts)
+  local result, first = {}, 0
+  for s, n in ipairs(own_counts) do
+    for i = 1, n do result[#result + 1] = list[first + math.ceil(i * counts[s] / n - 1e-9)] end
+    first = first + counts[s]
+  end
+  return result
 end
 
 -- ── All terms ────────────────────────────────────────────────────────────────────────────────────────────────────────
@@ -126,29 +133,31 @@ end
 
 local names = { "points", "penalty", "steps" }
 
+--- The term of a companion besides the mesh, over the rows of the run.
+local function other_term(key, name, records, counts)
+  local reference, record = records[records.reference], records[key]
+  local own, other = reference.values[name], record.values[name] or {}
+  local bars = key == "steps" and step_term(own, other, reference.counts, record.counts or {})
+    or widened(differences(own, other), key == "points" and 4 / 3 or 1)
+  local factor = records.factors and records.factors[key] or 1
+  return lists.map(in_rows(bars, reference.counts, counts), function(bar) return factor * bar end)
+end
+
 --- The terms of a column: { size (its largest value), mesh = { bars, order, why }, row (share of it), points, penalty,
---- steps, newton: lists; total: their sum, as far as all are known }. Terms that were not asked for are nil. counts:
---- steps of the stages of the run; tolerance: that of Newton's method.
+--- steps, newton: lists; total: their sum, as far as all are known }. Terms that were not asked for are nil. records:
+--- of companions; with `factors` of the terms points, penalty and steps, if the run has other constants than they;
+--- counts: steps of the stages of the run; tolerance: that of Newton's method.
 function terms.of(name, own, records, counts, tolerance)
   local column = { size = largest(own), mesh = { bars = {}, why = records.missing or records["2h"].failure } }
   if records.missing or not records["2h"].values[name] then return column end
   column.mesh = mesh_term(name, own, records, records.size)
   column.newton = lists.map(own, function() return tolerance * column.size end)
   for _, key in ipairs(names) do
-    local record = records[key]
-    if record then
-      local level = records[record.level == 4 and "4h" or "2h"]
-      local reference, other = level.values[name], record.values[name] or {}
-      if key == "steps" then
-        column.steps = step_term(reference, { values = other, counts = record.steps or {} }, counts)
-      else
-        column[key] = widened(differences(reference, other), key == "points" and 4 / 3 or 1)
-      end
-    end
+    if records[key] then column[key] = other_term(key, name, records, counts) end
   end
   local row = records.row
   if row and row.values[name] then
-    column.row = row_share(records[row.level == 4 and "4h" or "2h"].values[name], row.values[name], own)
+    column.row = row_share(records[records.reference].values[name], row.values[name], own)
   end
   column.total = {}
   for i, bar in ipairs(column.mesh.bars) do

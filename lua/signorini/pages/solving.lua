@@ -151,6 +151,9 @@ contacts), wall } each]] },
       { "timings", t.map(t.number), "bulk, contact, linear, rest", unit = "s" },
       { "stages", t.list(t.any), "{ name, steps, iterations, cutbacks, wall } of each stage" },
       { "controls", t.list(t.any), "where arc length began or ended: { step, to, place, reason } each" },
+      { "settings", t.map(t.any), [[with tolerance what was chosen, as factors of what was given: elements (per
+direction), row (true: one level richer at the contact), penalty, steps, points; reached, missed (why not), text, and
+levels, the settings that were solved: { settings, part (error over tolerance), unknowns, wall } each]] },
       { "warnings", t.list(t.text), [[those of model:warnings(), and about: loads that act in full from the first step;
 newton.tolerance above 1e-3; contacts that never touched; a last step whose position damping alone determines; bodies
 that contacts without friction do not hold; loads or contact whose forces are not far above rounding errors; closest

@@ -224,10 +224,23 @@ as many elements per direction; for scenes whose positions or penalties a script
 as large, and there with half of the steps, half of the penalties, twice the points and a richer row at the contact;
 "mesh" only the first two. They are solved first, each in a process. print(run) then shows the last values with ±, and
 where the errors come from; see run:error, run:budget and share/doc/errors.md]], default = false },
+  { "tolerance", t.worded(t.one_or_more(t.text), 'a text such as "1 % of grip.fx", or a list of these'),
+    [[solves the path again on finer meshes, with a richer row at the contact, other penalties, steps and points, until the
+error bars of these results are in all steps at most this part of their largest value. The given mesh is the first. The
+model becomes that of the last level; run.settings tells what was chosen]], optional = true },
+  { "limit", t.positive, "time after which no further level is begun", unit = "s", otherwise = "none" },
 }
+local alone = { "on_step", "on_iteration", "checkpoint", "hdf5" }
 rows.run.conflict = function(values)
-  if values.errors and values.arc_length then
-    return "errors compares runs row by row, and with arc_length rows depend on the path of each: remove one of the two"
+  for _, key in ipairs(values.tolerance and alone or {}) do
+    if values[key] then
+      return ("%s is for one run, and tolerance solves the path several times: solve it with run.settings again, or "
+        .. "remove one of the two"):format(key)
+    end
+  end
+  if values.limit and not values.tolerance then return "limit is for tolerance, which is missing: remove it" end
+  if (values.errors or values.tolerance) and values.arc_length then
+    return "error bars compare runs row by row, and with arc_length rows depend on the path of each: remove one of the two"
   end
   if values.resume and not values.checkpoint then
     return "resume = true needs a checkpoint file: add checkpoint = \"run.sgn\""

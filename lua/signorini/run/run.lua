@@ -95,19 +95,16 @@ local function take(step, run, options)
   end
 end
 
---- Ends a run and prints its warnings except those of sg.model. `early`: warnings about the path.
-local function close(run, model, display, early, record)
+--- Ends a run and prints its warnings, unless it is a level of several. `early`: warnings about the path.
+local function close(run, model, display, early, record, is_level)
   run:finish(model, early)
   if run.companions then require("signorini.errors.bars").attach(run, model) end
   if record then record:finish(run) end
-  for _, warning in ipairs(run.warnings) do
-    if not lists.holds(model:warnings(), warning) then display:line(warning) end
-  end
+  if not is_level then run_warnings.show(run, display) end
   return run
 end
 
---- `before`: the runs that have led to the present state, as far as they are known; see history.lua.
-local function follow(model, list, given, before)
+local function follow(model, list, given)
   local path, total = stages.read(model, list, given)
   local options = read_options(model, lists.merged(given), path, total)
   local policy, checkpoints = options.policy, options.checkpoints
@@ -116,8 +113,9 @@ local function follow(model, list, given, before)
   local place = checkpoints:begin(model, run, path, policy)
   run.used = { predictor = options.predictor, fallback = options.fallback, adaptive = options.step.adaptive,
                arc_length = options.arc_length, tolerance = options.solver.tolerance }
+  run.companions = run.companions or given.companions
   if options.errors and not run.companions then
-    run.companions = require "signorini.errors.companions".solve(model, list, given, before)
+    run.companions = require "signorini.errors.companions".of_run(model, list, given)
   end
   local display = progress(total - run.steps, options.verbose)
   if options.states.wants(run.steps) then run:store_state(model, path[place.stage].name) end
@@ -151,7 +149,7 @@ local function follow(model, list, given, before)
         display:line(("%s: %s in step %d of %d"):format(stage.name, run.reason, number, stage.steps))
         if options.states.last then run:store_state(model, stage.name) end
         run_warnings.note_state(run, model, stage, true)
-        return close(run, model, display, early, record)
+        return close(run, model, display, early, record, given.companions)
       end
     end
     place.number = 0
@@ -160,13 +158,14 @@ local function follow(model, list, given, before)
   end
   display:clear()
   if options.states.last then run:store_state(model, path[#path].name) end
-  return close(run, model, display, early, record)
+  return close(run, model, display, early, record, given.companions)
 end
 
 --- The run of a model along stages; both arguments have been checked against the table of model:run.
 return function(model, list, options)
+  if options.tolerance then return require "signorini.errors.ladder".run(model, list, options) end
   local before = history.of(model)
-  local run = follow(model, list, options, before)
+  local run = follow(model, list, options)
   history.note(model, before, list, options, run)
   return run
 end

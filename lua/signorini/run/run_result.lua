@@ -25,7 +25,7 @@ core.types.run = Run
 
 -- Fields that some runs have, or only until they end. All other unknown names are misspelled.
 local private = named.strict_type(Run, "run",
-  "cause failure timings recorders before step model outline singular companions errors")
+  "cause failure timings recorders before step model outline singular companions errors settings")
 
 function Run:__newindex(name, value)
   if not (rawget(self, "recorders") or private[name]) then -- the run has ended
@@ -390,6 +390,7 @@ function Run:__tostring()
   text = ("%s\ntime: bulk %.3f s, contact %.3f s, factorization and solve %.3f s, rest %.3f s")
     :format(text, spent.bulk, spent.contact, spent.linear, spent.rest)
   local errors = self.errors and require("signorini.errors.bars").lines(self) or {}
+  if self.settings then errors = lists.joined(require("signorini.errors.ladder").lines(self), errors) end
   for _, line in ipairs(lists.joined(failed_attempts(self), controls.lines(self), self.warnings, errors)) do
     text = text .. "\n" .. line
   end

@@ -313,4 +313,11 @@ function run_warnings.of_run(run, model, early)
   return texts
 end
 
+--- Prints the warnings of a run, except those of sg.model.
+function run_warnings.show(run, display)
+  for _, warning in ipairs(run.warnings) do
+    if not lists.holds(run.model:warnings(), warning) then display:line(warning) end
+  end
+end
+
 return run_warnings

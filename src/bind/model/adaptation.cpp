@@ -1,4 +1,5 @@
-// Layers that follow the contact, for lua/signorini/run/adapt.lua.
+// Models that others replace: with layers that follow the contact, for lua/signorini/run/adapt.lua, and on finer meshes,
+// for lua/signorini/errors/ladder.lua.
 
 #include "bind/lua/functions.hpp"
 #include "bind/lua/open.hpp"
@@ -42,11 +43,18 @@ template <int D> bool follow(Model<D>& model, lua_State* L) {
   return true;
 }
 
+/// core.replace(model, other): the other model takes the place of the first, also for all that refer to that in Lua.
+template <int D> void replace(Model<D>& model, const Model<D>& other) {
+  model->linear.forget(); // snapshots may keep the old model
+  model = other;
+}
+
 template <int D>
 constexpr Function following_core[] = {
     {"check_following", call<model::check_following<D>>}, // raises an error if its layers cannot follow the contact
     {"layer_lines", call<layer_lines<D>>},
     {"follow", call<follow<D>>},
+    {"replace", call<replace<D>>},
 };
 
 } // namespace

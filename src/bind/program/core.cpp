@@ -131,6 +131,7 @@ constexpr Function core_entries[] = {
     {"offered", core_offered},
     {"answer_interrupt", call<core_answer_interrupt>},
     {"interruption", call<interruption>}, // see limits.hpp
+    {"mute_warnings", call<mute_warnings>},
     {"now", call<now>},
     {"mkdir", call<mkdir>},
     {"sleep", call<sleep>},

@@ -125,9 +125,17 @@ std::string worded_in_one(const std::vector<Message>& messages) {
   return joined_by("; ", messages, [](const Message& message) { return worded(message); });
 }
 
+namespace {
+
+bool muted = false;
+
+} // namespace
+
+void mute_warnings(bool now) { muted = now; }
+
 void warn(const std::string& sentence) {
   static std::set<std::string> printed;
-  if (printed.insert(sentence).second) std::cerr << "signorini: warning: " << sentence << std::endl;
+  if (!muted && printed.insert(sentence).second) std::cerr << "signorini: warning: " << sentence << std::endl;
 }
 
 void word_warnings() {
