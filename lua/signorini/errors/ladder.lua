@@ -30,23 +30,23 @@ local slack = 1.1 -- of a factor that is not worth a change
 
 -- ── Goals ────────────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- The goals { share, name } of texts such as "1 % of grip.fx".
-function ladder.goals(texts)
+--- The goals { share, name, from (the function named in errors) } of texts such as "1 % of grip.fx".
+function ladder.goals(from, texts)
   return lists.map(texts, function(text, i)
     local percent, name = text:match "^%s*([%d.eE+-]+)%s*%%%s*of%s+(%S+)%s*$"
     local share = tonumber(percent)
     if not share or not (share > 0 and share <= 100) then
       core.fail(('%s: tolerance%s must be a text such as "1 %% of grip.fx", with more than 0 and at most 100 %%, got %q')
-        :format(where, #texts > 1 and ("[%d]"):format(i) or "", text))
+        :format(from, #texts > 1 and ("[%d]"):format(i) or "", text))
     end
-    return { share = share / 100, name = name, text = text }
+    return { from = from, share = share / 100, name = name }
   end)
 end
 
 local function check_names(goals, names)
   for _, goal in ipairs(goals) do
     if not lists.holds(names, goal.name) then
-      core.fail(("%s: tolerance: '%s' is no result of the run%s; results are %s"):format(where, goal.name,
+      core.fail(("%s: tolerance: '%s' is no result of the run%s; results are %s"):format(goal.from, goal.name,
         meant(goal.name, names), table.concat(names, ", ")))
     end
   end
@@ -145,61 +145,76 @@ local function solve(state, settings)
   return { model = model, run = run, list = list, options = options, before = before, settings = settings }
 end
 
---- Solves levels until the goals are reached; returns the last one.
-local function climb(state, goals, limit, display)
-  local began, settings, level = core.now(), { elements = 1, row = false, penalty = 1, steps = 1, points = 1 }, nil
-  local only = lists.merged(settings)
+--- Work that does not depend on the machine: unknowns times iterations.
+local function work_of(level) return #level.model:unknowns() * level.run.iterations end
+
+--- Solves levels until the goals are reached, or until refuses(level, settings, times) says why the next level, with
+--- these settings and about so many times the work, is not to be solved; returns the last one.
+local function climb(state, goals, refuses, display)
+  local settings, level = { elements = 1, row = false, penalty = 1, steps = 1, points = 1 }, nil
   state.first = companions.solve(state.scene, false)
-  for _, name in ipairs { "2h", "4h" } do
-    state.solved[key_of(lists.merged(only, { elements = name == "2h" and 1 / 2 or 1 / 4 }))] = state.first[name]
+  for name, factor in pairs { ["2h"] = 1 / 2, ["4h"] = 1 / 4 } do
+    state.solved[key_of(lists.merged(settings, { elements = factor }))] = state.first[name]
   end
   for number = 1, most_levels do
     local last = level
     level = solve(state, settings)
     if number == 1 then check_names(goals, level.run.errors.names) end
     local needs = needs_of(level.run, goals)
-    level.total = needs.total
-    state.levels[#state.levels + 1] = { settings = settings_text(settings), part = needs.total, wall = level.run.wall,
-                                        unknowns = #level.model:unknowns() }
-    display:line(("level %d: %s: error %.3g of the tolerance, %.2f s"):format(number, settings_text(settings), needs.total,
-      level.run.wall))
+    level.part, level.work = needs.total, work_of(level)
+    state.levels[number] = { settings = settings_text(settings), part = level.part, wall = level.run.wall,
+                             unknowns = #level.model:unknowns(), failed = level.run.failed and level.run.reason or nil }
+    display:line(("level %d: %s: error %.3g of the tolerance, %.2f s"):format(number, settings_text(settings),
+      level.part, level.run.wall))
     if level.run.failed then return last or level end
-    if needs.total <= 1 then return level end
+    if level.part <= 1 then return level end
     settings = next_settings(settings, needs, state.stiffness)
-    local expected = level.run.wall * ((settings.elements / level.settings.elements) ^ state.directions) ^ growth
-      * settings.steps / level.settings.steps
-    if limit and core.now() - began + expected > limit then
-      level.missed = ("%s would take about %.2g s more than the limit of %g s allows"):format(settings_text(settings),
-        core.now() - began + expected - limit, limit)
-      return level
-    end
+    level.missed = refuses(level, settings_text(settings), ((settings.elements / level.settings.elements)
+      ^ state.directions) ^ growth * settings.steps / level.settings.steps)
+    if level.missed then return level end
   end
   return level
 end
 
---- The run of the last level; `model` becomes its model.
-function ladder.run(model, list, options)
-  local goals = ladder.goals(options.tolerance)
-  local scene, missing = companions.scene(model, list, options)
-  if not scene then
-    core.fail(("%s: tolerance: %s, so that it cannot be solved on other meshes"):format(where, missing))
-  end
+--- The last level { model, run, part (error over tolerance), work, settings, missed (why there is no further one), … }
+--- of a scene, and all as { settings, part, wall, unknowns, failed }; why: in words, why there is none.
+function ladder.solve(model, list, options, goals, refuses, display)
+  local scene, why = companions.scene(model, list, options)
+  if not scene then return nil, why end
+  if not options.measure then check_names(goals, Run.new(model, {}).names) end -- before anything is solved
   local _, directions = remade.size(model)
   local state = { scene = scene, solved = {}, levels = {}, directions = directions,
                   stiffness = stiffest / remade.stiffness(model) }
-  if not options.measure then check_names(goals, Run.new(model, {}).names) end -- before anything is solved
   core.mute_warnings(true)
-  local display = progress(0)
-  local done, level = pcall(climb, state, goals, options.limit, display)
+  local done, level = pcall(climb, state, goals, refuses, display)
   core.mute_warnings(false)
   if not done then error(level, 0) end
+  return level, state.levels
+end
+
+--- What a level has chosen, for run.settings.
+function ladder.settings(level, levels)
+  return lists.merged(level.settings, { text = settings_text(level.settings), levels = levels,
+                                        reached = level.part <= 1, missed = level.missed })
+end
+
+--- The run of the last level; `model` becomes its model.
+function ladder.run(model, list, options)
+  local goals, display, began, limit = ladder.goals(where, options.tolerance), progress(0), core.now(), options.limit
+  local level, levels = ladder.solve(model, list, options, goals, function(last, settings, times)
+    local beyond = limit and core.now() - began + times * last.run.wall - limit or 0
+    return beyond > 0 and ("%s would take about %.2g s more than the limit of %g s allows"):format(settings, beyond,
+      limit) or nil
+  end, display)
+  if not level then
+    core.fail(("%s: tolerance: %s, so that it cannot be solved on other meshes"):format(where, levels))
+  end
   local run = level.run
   core.replace(model, level.model)
   recipes.keep(model, recipes.of(level.model))
   history.note(model, level.before, level.list, level.options, run)
   rawset(run, "model", model)
-  rawset(run, "settings", lists.merged(level.settings, { text = settings_text(level.settings), levels = state.levels,
-    reached = level.total <= 1, missed = level.missed, goals = lists.map(goals, function(goal) return goal.text end) }))
+  rawset(run, "settings", lists.merged(ladder.settings(level, levels), { goals = options.tolerance }))
   run_warnings.show(run, display)
   return run
 end

@@ -240,7 +240,8 @@ rows.run.conflict = function(values)
   end
   if values.limit and not values.tolerance then return "limit is for tolerance, which is missing: remove it" end
   if (values.errors or values.tolerance) and values.arc_length then
-    return "error bars compare runs row by row, and with arc_length rows depend on the path of each: remove one of the two"
+    return "error bars compare runs row by row, and with arc_length rows depend on the path of each: remove one of "
+      .. "the two"
   end
   if values.resume and not values.checkpoint then
     return "resume = true needs a checkpoint file: add checkpoint = \"run.sgn\""

@@ -249,41 +249,30 @@ there is none, nil and a text about the closest case. Failed rows and rows witho
         { "cost", column_or_function, "cost, a column or a function of a row", default = "wall" }, only_rows }, "" } },
     returns = { t.or_nil(t.map(t.any)), t.or_nil(t.either(t.map(t.any), t.text)) },
     example = [[best, next_best = sg.cheapest(study, { error = "error", at_most = 0.1 })]] },
-  { "sg.recommend", [[Returns the cheapest discretization and mesh, and if wanted contact formulation, that meet a
-tolerance: solves with discretizations and meshes from coarse to fine, estimates the error of each from the next level,
-and stops as soon as an estimate is within the tolerance. Prints the attempts and their times.]],
+  { "sg.recommend", [[Returns the cheapest discretization, and if wanted contact formulation and thickness degree, that
+meet a tolerance: with each candidate the path is solved on finer meshes, with other penalties, steps and points as by
+model:run(path, { tolerance = … }), until its error bars hold or another candidate is cheaper. Prints all levels.]],
     named = {
-      { "scene", t.callback_of({ { "order", t.text }, { "mesh", t.any }, { "keys", t.map(t.any) },
-        { "layers", t.map(t.any) } }, t.object "model", t.any, t.or_nil(t.any)),
-        [[function of order and mesh, with formulations of keys for its contacts, and with local_layers of layers, that
-returns a model, and what model:run takes]] },
-      { "quantity", t.either(t.text, t.callback_of(model_and_run, t.either(t.number, t.numbers()))),
-        [[what is computed, whose error is estimated: a column of the run such
-as "ground.max_pressure" (its last value), or a function of model and run that returns a number, or a list of numbers at
-places independent of the mesh]] },
-      { "at_most", { kind = "number", above = 0, below = 1, cure = "write 0.02 for 2 %" }, "relative error" },
+      { "scene", t.callback_of({ { "q", t.map(t.any) } }, t.object "model", t.any, t.or_nil(t.any)),
+        [[function of q = { order, formulation, thickness_degree, mesh } that returns a model, its stages, and options of
+model:run. If it reads q.mesh, it is called again for finer and coarser meshes, with so many times as many elements per
+direction (1 at first); otherwise these are made from the tables of sg.body and sg.model]] },
+      { "tolerance", t.worded(t.one_or_more(t.text), 'a text such as "1 % of grip.fx", or a list of these'),
+        "largest error bars of results, in all steps, in parts of their largest values" },
       { "orders", t.list(t.text, nil, 1), "order labels, cheapest first", default = { "N2", "N2-N2.2" } },
-      { "meshes", t.list(t.data, nil, 1), [[from coarse to fine, each with about half the element size of the one
-before, in any form that scene accepts]], default = { 1, 2, 4, 8, 16, 32 } },
-      { "formulations", t.list(t.data, nil, 1), [[contact formulations to compare, cheapest first: tables of keys that
+      { "formulations", t.list(t.data, nil, 1), [[contact formulations to compare: tables of keys that
 scene gives to its contacts, such as { { penalty = 100 }, { method = "mortar", enforcement = "multipliers" } }]],
         otherwise = "that of the scene" },
-      { "local_layers", t.flag, [[solves orders with a layer with this only where contacts have touched in the cases
-before, and again if they touch elsewhere: the fourth argument of scene, nil until then, has for each contact what
-`layer` of sg.body takes for its slave]], default = false },
+      { "thickness_degrees", t.list(t.count, nil, 1), "values of thickness_degree of bodies to compare",
+        otherwise = "that of the scene" },
       { "limit", t.positive, "time after which no further level is started", unit = "seconds", otherwise = "none" } },
     more = [[
-The result has order, formulation (its keys), mesh, error (the estimate), wall (s), unknowns and layers (by contact,
-nil if they cover whole faces) of the case of least work within the tolerance (nil if there is none), tries, spent (s)
-and report. Work is unknowns times iterations, which is reproducible. With d the relative difference of the quantity
-on two levels, both with the order that comes last in the list among those solved on both, and r the fraction of the
-error that remains after one level (1/2; from three levels on as observed, if larger), the error of the finer level is
-about d r/(1 - r); that of coarser cases is larger by their difference from it. This is the discretization error only;
-errors of penalty, steps or the scene are not included.
-Orders that take about the work of another one and have twice its error are not tried again.]],
-    returns = t.record("order?", t.text, "formulation? mesh? best? layers?", t.any, "error? wall? unknowns?", t.number,
+The result has order, formulation (its keys), thickness_degree, settings (as run.settings), model and run of the
+candidate of least work within the tolerance (nil if there is none), tries, spent (s) and report. Work is unknowns times
+iterations, which is reproducible. Results of your own are measured by the option measure that scene returns.]],
+    returns = t.record("order?", t.text, "formulation? settings? model? run? best?", t.any, "thickness_degree?", t.number,
       "tries", t.list(t.any), "spent", t.number, "report", t.text),
-    example = [[sg.recommend{ scene = press, quantity = "grip.fy", at_most = 0.1, meshes = {1, 2, 4} }]] },
+    example = [[sg.recommend{ scene = function(q) return press(q.order, 1) end, tolerance = "20 % of grip.fy" }]] },
   { "sg.convergence_map", [[Returns a convergence map: where the solve converges over two parameters, and where and why
 it fails. It is a study with a case for each pair of values: a separate process calls scene and path. Errors, crashes
 and the exit status are handled as in study:execute; Ctrl-C ends it with the cells done so far.]],

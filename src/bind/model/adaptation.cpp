@@ -1,5 +1,5 @@
-// Models that others replace: with layers that follow the contact, for lua/signorini/run/adapt.lua, and on finer meshes,
-// for lua/signorini/errors/ladder.lua.
+// Models that others replace: with layers that follow the contact, for lua/signorini/run/adapt.lua, and on finer
+// meshes, for lua/signorini/errors/ladder.lua.
 
 #include "bind/lua/functions.hpp"
 #include "bind/lua/open.hpp"

@@ -4,7 +4,9 @@ require "check"
 
 local path = { { name = "press", steps = 4, grip = { 0, -0.1 } }, { name = "slide", steps = 6, grip = { 0.2, -0.1 } } }
 
-local function ironing(refinement) return (sg.scenes.ironing{ order = "N2", mu = 0.3, refinement = refinement or 2 }) end
+local function ironing(refinement)
+  return (sg.scenes.ironing{ order = "N2", mu = 0.3, refinement = refinement or 2 })
+end
 
 check.case("the bars are within the tolerance, and so is the error against a finer solution", function()
   local model = ironing()

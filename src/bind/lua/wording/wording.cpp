@@ -131,7 +131,9 @@ bool muted = false;
 
 } // namespace
 
-void mute_warnings(bool now) { muted = now; }
+void mute_warnings(bool now) {
+  muted = now;
+}
 
 void warn(const std::string& sentence) {
   static std::set<std::string> printed;
