@@ -188,7 +188,7 @@ Drawing draw(const std::vector<Series>& series, const ChartOptions& options) {
   Drawing drawing{options.size, {}};
   draw_grid(drawing, frame, style);
   draw_rules(drawing, options, frame, style);
-  for (std::size_t n = series.size(); n-- > 0;) draw_series(drawing, series, n, frame, style);
+  draw_series(drawing, series, frame, style);
   std::vector<Box> taken;
   if (layout.legend.within) taken.push_back(*layout.legend.within);
   if (inset) {

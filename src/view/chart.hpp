@@ -31,6 +31,8 @@ struct Series {
   std::optional<int> marker = {}; ///< in marker_names(), or no_marker; default: that of the look
   std::vector<int> marks =
       {}; ///< one per point, index into ChartOptions::marks; their markers replace those of the curve
+  std::vector<double> error =
+      {}; ///< half heights of a band about the curve, empty or one ≥ 0 per point; non-finite ones leave a gap in it
 };
 
 enum class Corner { north_east, north_west, south_east, south_west };

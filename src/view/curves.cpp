@@ -34,6 +34,65 @@ Lines stretches(const Series& s, const Frame& frame) {
   return parts;
 }
 
+bool has_band(const Series& s, std::size_t point) {
+  return drawn(s, point) && std::isfinite(s.error[point]);
+}
+
+/// The outlines of the bands of a series in pixels, inside the frame: one per unbroken section, cut where x turns back,
+/// because a band that overlaps itself would have holes. That of an isolated point is as wide as a marker.
+Lines bands(const Series& s, const Frame& frame, const Style& style) {
+  Lines outlines;
+  std::vector<Vec2> upper, lower;
+  const auto finish = [&] {
+    if (upper.size() == 1) {
+      const Vec2 half = {marker_radius * style.unit, 0};
+      upper = {upper[0] - half, upper[0] + half};
+      lower = {lower[0] - half, lower[0] + half};
+    }
+    upper.insert(upper.end(), lower.rbegin(), lower.rend());
+    auto outline = clip_polygon(std::move(upper), frame.box);
+    if (!outline.empty()) outlines.push_back(std::move(outline));
+    upper.clear(), lower.clear();
+  };
+  constexpr double far = 1e9; // pixels; clipping would lose the digits of more distant points
+  const auto on_paper = [&](double x, double y) {
+    return Vec2{std::clamp(frame.x(x), -far, far), std::clamp(frame.y(y), -far, far)};
+  };
+  for (std::size_t i = 0; i < s.error.size(); ++i) {
+    if (!has_band(s, i)) {
+      finish();
+      continue;
+    }
+    const double y = s.y[i], least = y - s.error[i];
+    const Vec2 top = on_paper(s.x[i], y + s.error[i]),
+               bottom = on_paper(s.x[i], frame.y.log ? std::max(least, std::min(y, frame.y.low)) : least);
+    if (!upper.empty() && (top[0] - upper.back()[0]) * (upper.back()[0] - upper.front()[0]) < 0) {
+      const Vec2 last_top = upper.back(), last_bottom = lower.back();
+      finish();
+      upper = {last_top}, lower = {last_bottom};
+    }
+    upper.push_back(top), lower.push_back(bottom);
+  }
+  finish();
+  return outlines;
+}
+
+/// The greatest error that the y axis shows whole, so that a greater one does not hide the curves.
+double greatest_error(const Range& curves) {
+  const double span = curves.high - curves.low, size = std::max(std::abs(curves.low), std::abs(curves.high));
+  return span > 1e-9 * size ? span : size > 0 ? size : std::numeric_limits<double>::infinity();
+}
+
+/// The lower (side −1) or the upper edge (1) of a band as a curve, for the range of the y axis.
+Series band_edge(Series s, int side, double most, bool log) {
+  s.line = true;
+  for (std::size_t i = 0; i < s.y.size(); ++i) {
+    const double y = s.y[i], end = y + side * std::min(s.error[i], most);
+    s.y[i] = !has_band(s, i) ? std::nan("") : log ? std::max(end, 0.1 * y) : end;
+  }
+  return s;
+}
+
 bool within(const Vec2& p, const Box& box) {
   return p[0] >= box[0] - 0.5 && p[0] <= box[1] + 0.5 && p[1] >= box[2] - 0.5 && p[1] <= box[3] + 0.5;
 }
@@ -176,7 +235,7 @@ Range range_within(const std::vector<Series>& series, const std::array<double, 2
   constexpr double far = std::numeric_limits<double>::infinity();
   const Box strip = {on_paper(within[0], log_x), on_paper(within[1], log_x), -far, far};
   Range range;
-  for (const Series& s : series)
+  const auto take = [&](const Series& s) {
     for (std::size_t i = 0; i < s.x.size(); ++i) {
       if (!drawn(s, i)) continue;
       const Vec2 point = {on_paper(s.x[i], log_x), on_paper(s.y[i], log_y)};
@@ -186,9 +245,18 @@ Range range_within(const std::vector<Series>& series, const std::array<double, 2
       for (const auto& part : clip_line({last, point}, strip))
         for (const Vec2& end : part) range.take(end[1]);
     }
-  if (log_y && !range.empty()) return {std::exp(range.low), std::exp(range.high)};
-  return range;
+  };
+  const auto values = [&] { return log_y ? Range{std::exp(range.low), std::exp(range.high)} : range; };
+  for (const Series& s : series) take(s);
+  if (range.empty()) return range;
+  const double most = greatest_error(values());
+  for (const Series& s : series)
+    if (!s.error.empty())
+      for (const int side : {-1, 1}) take(band_edge(s, side, most, log_y));
+  return values();
 }
+
+namespace {
 
 /// Draws heads at intervals of this length along a line, pixels at 1600 × 1000, the first after half of it.
 void draw_arrows(Drawing& drawing, const std::vector<Vec2>& line, const Rgb& color, const Style& style) {
@@ -207,8 +275,8 @@ void draw_arrows(Drawing& drawing, const std::vector<Vec2>& line, const Rgb& col
   }
 }
 
-void draw_series(Drawing& drawing, const std::vector<Series>& series, std::size_t index, const Frame& frame,
-                 const Style& style) {
+void draw_curve(Drawing& drawing, const std::vector<Series>& series, std::size_t index, const Frame& frame,
+                const Style& style) {
   const Series& s = series[index];
   const CurveLook look = look_of(series, index, style);
   if (s.line)
@@ -223,6 +291,16 @@ void draw_series(Drawing& drawing, const std::vector<Series>& series, std::size_
   const int marker = look.marker == no_marker ? 0 : look.marker;
   for (const Vec2& point : lone_points(s, frame))
     draw_marker(drawing, marker, point, marker_radius * style.unit, look.color);
+}
+
+} // namespace
+
+void draw_series(Drawing& drawing, const std::vector<Series>& series, const Frame& frame, const Style& style) {
+  constexpr double opacity = 0.25; // bands that overlap show through each other
+  for (std::size_t n = 0; n < series.size(); ++n)
+    for (auto& outline : bands(series[n], frame, style))
+      drawing.marks.push_back(Fill{std::move(outline), look_of(series, n, style).color, opacity});
+  for (std::size_t n = series.size(); n-- > 0;) draw_curve(drawing, series, n, frame, style);
 }
 
 void draw_sample(Drawing& drawing, const Series& s, const CurveLook& look, const Vec2& from, const Vec2& to,
@@ -242,6 +320,7 @@ Lines lines_of(const std::vector<Series>& series, const Frame& frame, const Styl
   for (std::size_t n = 0; n < series.size(); ++n) {
     if (series[n].line)
       for (auto& stretch : stretches(series[n], frame)) lines.push_back(std::move(stretch));
+    for (auto& outline : bands(series[n], frame, style)) lines.push_back(std::move(outline));
     for (const CurvePlace& place : marker_places(series, n, frame, style)) {
       const auto [x, y] = place.at;
       lines.insert(lines.end(), {{{x - radius, y}, {x + radius, y}}, {{x, y - radius}, {x, y + radius}}});

@@ -42,11 +42,13 @@ struct CurveLook {
 
 CurveLook look_of(const std::vector<Series>& series, std::size_t index, const Style& style);
 
-/// y range of the curves for x within `within`, including where they cross its ends; empty if they lie outside.
+/// y range of the curves for x within `within`, including where they cross its ends; empty if they lie outside. Errors
+/// extend it by at most the span of the curves, or the size of constant ones; on a log axis downwards by at most a
+/// decade.
 Range range_within(const std::vector<Series>& series, const std::array<double, 2>& within, bool log_x, bool log_y);
 
-void draw_series(Drawing& drawing, const std::vector<Series>& series, std::size_t index, const Frame& frame,
-                 const Style& style);
+/// The bands, then the curves, the first one on top.
+void draw_series(Drawing& drawing, const std::vector<Series>& series, const Frame& frame, const Style& style);
 
 /// The marker of this number in marker_names(), of about the given radius, with a thin white rim; numbers are taken
 /// modulo their count.
@@ -61,7 +63,7 @@ void draw_mark_sample(Drawing& drawing, int mark, const Vec2& at, const Style& s
 
 using Lines = std::vector<std::vector<Vec2>>;
 
-/// Everything that the series draw in a frame, as lines in pixels.
+/// Everything that the series draw in a frame, as lines in pixels; bands by their edges.
 Lines lines_of(const std::vector<Series>& series, const Frame& frame, const Style& style);
 
 /// Length in pixels of the lines inside the box: measures how much an object there would cover.

@@ -45,6 +45,21 @@ void add_line(Drawing& drawing, const std::vector<Vec2>& line, const Box& box, c
   for (auto& part : clip_line(line, box)) drawing.marks.push_back(Stroke{std::move(part), color, width, dash});
 }
 
+std::vector<Vec2> clip_polygon(std::vector<Vec2> outline, const Box& box) {
+  for (int side = 0; side < 4; ++side) { // by Sutherland and Hodgman
+    const auto beyond = [&](const Vec2& p) { return (side % 2 == 0 ? -1 : 1) * (p[side / 2] - box[side]); };
+    std::vector<Vec2> kept;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+      const Vec2 &a = outline[i], &b = outline[(i + 1) % outline.size()];
+      const double from = beyond(a), to = beyond(b);
+      if (from <= 0) kept.push_back(a);
+      if (from * to < 0) kept.push_back(a + from / (from - to) * (b - a));
+    }
+    outline = std::move(kept);
+  }
+  return outline;
+}
+
 std::vector<Vec2> circle_about(const Vec2& at, double radius) {
   constexpr int pieces = 48;
   std::vector<Vec2> circle;

@@ -40,10 +40,11 @@ struct Stroke {
   std::vector<double> dash = {};
 };
 
-/// A convex polygon.
+/// A polygon that does not overlap itself.
 struct Fill {
   std::vector<Vec2> outline;
   Rgb color;
+  double opacity = 1;
 };
 
 enum class Align { left, center, right };
@@ -74,6 +75,9 @@ std::vector<std::vector<Vec2>> clip_line(const std::vector<Vec2>& line, const Bo
 /// The parts of a line inside the box.
 void add_line(Drawing& drawing, const std::vector<Vec2>& line, const Box& box, const Rgb& color, double width,
               const std::vector<double>& dash = {});
+
+/// The part of a polygon inside the box; several parts are joined along the sides of the box.
+std::vector<Vec2> clip_polygon(std::vector<Vec2> outline, const Box& box);
 
 /// Rims as closed lines.
 std::vector<Vec2> circle_about(const Vec2& at, double radius);

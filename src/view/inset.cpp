@@ -100,7 +100,7 @@ void draw_inset(Drawing& drawing, const std::vector<Series>& series, const Chart
   drawing.marks.push_back(Stroke{outline_of(inset.outer), edge_color, 1.4 * inset.style.unit});
   draw_grid(drawing, inset.frame, inset.style);
   draw_rules(drawing, options, inset.frame, inset.style);
-  for (std::size_t n = series.size(); n-- > 0;) draw_series(drawing, series, n, inset.frame, inset.style);
+  draw_series(drawing, series, inset.frame, inset.style);
   draw_frame(drawing, inset.frame, inset.style);
 }
 

@@ -25,6 +25,9 @@ local chart_size = t.list(t.integer(120, 5000), 2)
 rows.curve = {
   { "y", t.numbers(nil, true), "values; nan and inf are gaps. A single point between gaps gets a marker" },
   { "x", t.numbers(nil, true), "abscissae, one per value", otherwise = "the chart's x" },
+  { "error", t.list { kind = "number", low = 0, gaps = true }, [[half heights of a band y ± error below the curves, one
+per value; nan and inf leave a gap in it. The automatic range of the y axis includes errors up to the span of the
+curves]], optional = true },
   { "label", t.text, "name in the legend; curves with the same label and style share a row", otherwise = "none" },
   { "line", t.flag, "whether to draw the line", default = true },
   { "width", t.positive, "line width in pixels, in a chart of 1600 x 1000", default = 3 },

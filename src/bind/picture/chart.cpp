@@ -39,10 +39,11 @@ view::Series read_series(lua_State* L, const Arguments& chart, int number, const
   series.y = curve.get<std::vector<double>>("y");
   series.x = curve.get("x", common_x);
   if (series.x.empty() && !series.y.empty()) fail("x", " is missing: give x for the chart or for the curve");
-  if (series.x.size() != series.y.size())
-    fail("y", " must have as many values as x, ", series.x.size(), ", got ", series.y.size());
-  curve.read("label", series.label, "markers", series.markers, "dashed", series.dashed, "arrows", series.arrows, "line",
-             series.line, "width", series.width);
+  curve.read("error", series.error, "label", series.label, "markers", series.markers, "dashed", series.dashed, "arrows",
+             series.arrows, "line", series.line, "width", series.width);
+  for (const auto& [key, values] : {std::pair("y", &series.y), std::pair("error", &series.error)})
+    if (values->size() != series.x.size() && curve.has(key))
+      fail(key, " must have as many values as x, ", series.x.size(), ", got ", values->size());
   if (curve.has("color")) series.color = curve.is("color", LUA_TSTRING) ? view::gray : curve.get<int>("color") - 1;
   if (curve.has("marker")) {
     const auto name = curve.get<std::string>("marker");

@@ -45,8 +45,8 @@ Surface make_surface(const std::array<int, 2>& size, Format format, bool transpa
   return Surface(cairo_image_surface_create(transparent ? CAIRO_FORMAT_ARGB32 : CAIRO_FORMAT_RGB24, size[0], size[1]));
 }
 
-void set_color(cairo_t* paper, const Rgb& color) {
-  cairo_set_source_rgb(paper, color[0] / 255.0, color[1] / 255.0, color[2] / 255.0);
+void set_color(cairo_t* paper, const Rgb& color, double opacity = 1) {
+  cairo_set_source_rgba(paper, color[0] / 255.0, color[1] / 255.0, color[2] / 255.0, opacity);
 }
 
 /// Draws marks on paper of this height; y points downwards in Cairo.
@@ -70,7 +70,7 @@ struct Pen {
   void operator()(const Fill& fill) const {
     path(fill.outline);
     cairo_close_path(paper);
-    set_color(paper, fill.color);
+    set_color(paper, fill.color, fill.opacity);
     cairo_fill(paper);
   }
 

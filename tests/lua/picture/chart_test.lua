@@ -108,6 +108,25 @@ check.case("markers = false removes the markers of several curves", function()
   check.equal({ polygons(), polygons(false), polygons(true) }, { 8, 0, 8 })
 end)
 
+check.case("error draws a band of the curve's color, with gaps where it is nan or infinite", function()
+  local function bands(file, error)
+    local x = { 1, 2, 3, 4, 5 }
+    sg.chart(chart { file = folder .. "/band." .. file, x = x, [1] = { y = x, error = error } })
+    local bytes = core.read_file(folder .. "/band." .. file)
+    return select(2, bytes:gsub("fill:rgb%(0%%,44%.7[%d.]+%%,69%.8[%d.]+%%%);fill%-opacity:0%.25", "")), bytes
+  end
+  check.equal(bands("svg"), 0)
+  check.equal(bands("svg", { 1, 1, 0, 1, 1 }), 1)
+  check.equal(bands("svg", { 1, 1, 0 / 0, 1, 1 }), 2)
+  check.equal(bands("svg", { 1, 1 / 0, 1, 1 / 0, 1 }), 3)
+  check.equal(bands("svg", { 1 / 0, 1 / 0, 1 / 0, 1 / 0, 0 / 0 }), 0)
+  for _, format in ipairs { "png", "pdf" } do
+    local _, plain = bands(format)
+    local _, banded = bands(format, { 1, 1, 0, 1, 1 })
+    check.equal(plain == banded, false)
+  end
+end)
+
 check.case("missing characters become boxes, with a warning for each text", function()
   local draw = [[local sg = require "signorini" for _, ending in ipairs { "png", "png", "pdf", "svg" } do
     sg.chart { file = "%s/signs." .. ending, title = "%s", x = { 1, 2 }, { y = { 1, 2 } } } end]]
@@ -143,6 +162,11 @@ check.case("wrong arguments", function()
     { { size = { 10, 300 } }, "size[1]" },
     { { [1] = { 1, 2, 3 } }, "[1] takes named arguments" },
     { { [1] = { y = { 1, 2 } } }, "[1].y must have as many values as x, 3, got 2" },
+    { { [1] = { y = { 1, 2, 3 }, error = { 1, 2 } } }, "[1].error must have as many values as x, 3, got 2" },
+    { { [1] = { y = { 1, 2, 3 }, error = {} } }, "[1].error must have as many values as x, 3, got 0" },
+    { { [1] = { y = { 1, 2, 3 }, error = { 1, -2, 1 } } }, "[1].error[2] must be a number, 0 or more", "-2" },
+    { { [1] = { y = { 1, 2, 3 }, error = { 1, "2", 1 } } }, "[1].error[2] must be a number", "remove the quotes" },
+    { { [1] = { y = { 1, 2, 3 }, error = 0.1 } }, "[1].error must be a list", "put it into braces" },
     { { [1] = { y = { 1, 2, 3 }, line = false } }, "without markers shows nothing" },
     { { file = folder .. "/chart.gif" }, "sg.chart", "chart.gif" },
     { { file = folder .. "/none/chart.png" }, "sg.chart", "none" },
