@@ -39,12 +39,27 @@ local function settings(model, run)
            steps = #run.outline == 1 and run.outline[1].steps or nil }
 end
 
+-- Orders of the error up to which a largest pressure at a sharp edge is taken for one without a limit: where elements
+-- do not resolve its singularity, r^-1/2 or weaker, the differences may still decrease.
+local singular_order = 1 / 2
+
+--- Marks the largest pressures that grow with each refinement, since they are at sharp edges.
+local function mark_edges(model, columns)
+  for _, contact in ipairs(model:contact_names()) do
+    local column = columns[contact .. ".max_pressure"]
+    if column and column.mesh.order and column.mesh.order <= singular_order and core.is_peak_at_edge(model, contact) then
+      column.mesh.why = "no limit"
+    end
+  end
+end
+
 --- Estimates the error of all results of a run that has ended, and adds a column for each: "grip.fx.error".
 function bars.attach(run, model)
   local counts, columns = lists.map(run.outline, function(stage) return stage.steps end), {}
   for _, name in ipairs(result_names(run, model)) do
     columns[name] = terms.of(name, run:column(name), run.companions, counts, run.used.tolerance)
   end
+  mark_edges(model, columns)
   run.errors = { columns = columns, settings = settings(model, run), missing = run.companions.missing,
                  names = lists.filter(run.names, function(name) return columns[name] end) }
   for _, name in ipairs(run.errors.names) do run:add_extra(name .. suffix) end
@@ -160,15 +175,14 @@ end
 local most_lines = 16
 
 local doubts = {
-  ["no limit"] = "%s: grows with each refinement, as at a sharp edge: there is no value that a finer mesh would reach",
-  ["not converging"] = "%s: does not converge with the mesh (±?: the largest difference of three meshes), as at "
+  ["no limit"] = "grows with each refinement, as at a sharp edge: there is no value that a finer mesh would reach",
+  ["not converging"] = "does not converge with the mesh (±?: the largest difference of three meshes), as at "
     .. "irregular stick–slip or jumps. Hint: consider means over a stage, by measure",
 }
 
---- Lines about the last row, for print(run).
-function bars.lines(run)
-  if not run.errors or run.rows == 0 then return {} end
-  if run.errors.missing then return { "errors are unknown: " .. run.errors.missing } end
+--- The last row as a table { columns, units, rows }, and sentences about it; nil if all bars are unknown, and why.
+function bars.last_row(run)
+  if run.errors.missing then return nil, "errors are unknown: " .. run.errors.missing end
   local names = lists.filter(run.errors.names, function(name) return run.errors.columns[name].size > 0 end)
   local shown, rows, notes = { table.unpack(names, 1, most_lines) }, {}, {}
   local used = lists.filter(parts, function(part)
@@ -182,16 +196,22 @@ function bars.lines(run)
       rows[i][3 + k] = budget[part] and ("%.2g"):format(100 * budget[part] / column.size) or "unknown"
     end
     rows[i][4 + #used] = budget.to_halve_it or ""
-    local doubt = doubts[budget.why] or budget.why and "%s: unknown, " .. budget.why:gsub("%%", "%%%%")
-    if doubt then notes[#notes + 1] = doubt:format(name) end
+    if budget.why then notes[#notes + 1] = ("%s: %s"):format(name, doubts[budget.why] or "unknown, " .. budget.why) end
   end
+  if #names > most_lines then notes[#notes + 1] = ("and %d more, see run:budget"):format(#names - most_lines) end
+  notes[#notes + 1] = "Terms in % of the largest value of the run. Errors are those of the solution of this model; its "
+    .. "laws, data and idealization are not included."
   local columns = lists.joined({ "quantity", "value", "error" }, used, { "to halve it" })
   local units = lists.map(columns, function(_, i) return i > 3 and i < #columns and "%" or "" end)
-  local text = format_table { columns = columns, units = units, rows = rows }
-  local more = #names > most_lines and { ("and %d more, see run:budget"):format(#names - most_lines) } or {}
-  return lists.joined({ "", text }, more, lists.unique(notes), {
-    "Terms in % of the largest value of the run. Errors are those of the solution of this model; its laws, data and "
-      .. "idealization are not included." })
+  return { columns = columns, units = units, rows = rows }, lists.unique(notes)
+end
+
+--- Lines about the last row, for print(run).
+function bars.lines(run)
+  if not run.errors or run.rows == 0 then return {} end
+  local cells, notes = bars.last_row(run)
+  if not cells then return { notes } end
+  return lists.joined({ "", format_table(cells) }, notes)
 end
 
 return bars

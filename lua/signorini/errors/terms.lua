@@ -57,9 +57,7 @@ end
 --- True for quantities that depend on the place of the contact's border.
 local function depends_on_border(name) return name:find "%.area$" or name:find "%.debonded$" end
 
-local function is_peak(name) return name:find "%.max_pressure$" end
-
---- The term of the mesh: { bars, order q, and why there is none, or why it is doubtful }.
+--- The term of the mesh: { bars, order q, why it is doubtful }.
 local function mesh_term(name, own, records, size)
   local finer, coarser = records["2h"], records["4h"]
   local d = differences(own, finer.values[name])
@@ -76,7 +74,7 @@ local function mesh_term(name, own, records, size)
       if before < expected * now then
         local all = differences(own, coarser.values[name])
         for i, value in ipairs(d) do d[i] = math.max(value, more[i] or 0, all[i] or 0) end
-        return { bars = widened(d, 1), order = low, why = is_peak(name) and "no limit" or "not converging" }
+        return { bars = widened(d, 1), order = low, why = "not converging" }
       end
       order = order_of(before / now, size, finer.size, coarser.size, low, high)
     end

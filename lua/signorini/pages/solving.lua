@@ -181,7 +181,9 @@ companion has failed, or where there is no limit, as of the peak pressure at a s
 "grip.fy.error" of "grip.fy", in files, too.]],
     arguments = { { "name", t.name(function(run) return run:columns() end), "a column of results" } },
     returns = t.numbers(nil, true),
-    example = "run = model:run(stages, { errors = true })\nrun:error \"grip.fy\"" },
+    example = { "run = model:run(stages, { errors = true })\nrun:error \"grip.fy\"", [[
+run = model:run(stages, { errors = "mesh" })
+sg.chart{ { x = run:column "step", y = run:column "grip.fy", error = run:error "grip.fy" } }]] } },
   { "run:budget", [[Returns where the error of a result comes from: value, error, and its terms in the same unit: bulk
 and row (the mesh, without and at the contact; without a richer row all of it is in bulk), points, penalty, steps,
 newton; terms that are unknown or were not asked for are nil. why: in words, why a bar is missing or doubtful.

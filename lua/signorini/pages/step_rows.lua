@@ -225,9 +225,9 @@ as large, and there with half of the steps, half of the penalties, twice the poi
 "mesh" only the first two. They are solved first, each in a process. print(run) then shows the last values with ±, and
 where the errors come from; see run:error, run:budget and share/doc/errors.md]], default = false },
   { "tolerance", t.worded(t.one_or_more(t.text), 'a text such as "1 % of grip.fx", or a list of these'),
-    [[solves the path again on finer meshes, with a richer row at the contact, other penalties, steps and points, until the
-error bars of these results are in all steps at most this part of their largest value. The given mesh is the first. The
-model becomes that of the last level; run.settings tells what was chosen]], optional = true },
+    [[solves the path again on finer meshes, with a richer row at the contact, other penalties, steps and points, until
+the error bars of these results are in all steps at most this part of their largest value. The given mesh is the first.
+The model becomes that of the last level; run.settings tells what was chosen]], optional = true },
   { "limit", t.positive, "time after which no further level is begun", unit = "s", otherwise = "none" },
 }
 local alone = { "on_step", "on_iteration", "checkpoint", "hdf5" }

@@ -40,7 +40,11 @@ local function axis(key)
            "parameter along " .. key }
 end
 
-local error_column = { "error", column_or_function, "errors, a column or a function of a row; signs are ignored" }
+local error_column = { "error", t.either(t.column, t.of_row(t.number), t.named {
+  { "of", t.text, "a column, the error of which is taken in % of its value in the row of the reference" },
+  { "reference", t.map(t.any), "values of parameters that only this row has, as in study:row" },
+}), [[errors: a column or a function of a row, of which signs are ignored, or { of = "P", reference = { order = "N4" } }.
+If the cases also return the error bar of P as ["P.error"], that of the reference tells how uncertain all errors are]] }
 
 local other = { "other", t.object "convergence map", "map of the same values, drawn next to this one", optional = true }
 local titles = { "titles", t.list(t.text, 2), "titles of the two maps", otherwise = "their names" }

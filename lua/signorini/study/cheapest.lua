@@ -20,15 +20,18 @@ return function(study, options)
   local cases, left_out = quantity.points(study, { error, cost }, options.where)
   for _, case in ipairs(cases) do case.error = math.abs(case.error) end
 
-  --- The row of a case; it prints with its error and cost.
+  --- The row of a case; it prints with its error and cost, and how uncertain the reference of the error is.
   local function show(case)
-    local text = case and ("%s: %s, %s"):format(quantity.case(study, case.row), quantity.stated(error, case.error),
-      quantity.stated(cost, case.cost))
+    local text = case and table.concat(lists.joined({ ("%s: %s, %s"):format(quantity.case(study, case.row),
+      quantity.stated(error, case.error), quantity.stated(cost, case.cost)) }, { quantity.doubt(error) }), ". ")
     return case and setmetatable(lists.merged(case.row),
       { __tostring = function() return text end, __name = "case of a study" })
   end
 
-  local good = lists.filter(cases, function(case) return case.error <= options.at_most end)
+  -- The error itself is known up to the uncertainty of its reference.
+  local good = lists.filter(cases, function(case)
+    return case.error + (error.uncertain or 0) <= options.at_most
+  end)
   sort(good, "cost", "error")
   if good[1] then return show(good[1]), show(good[2]) end
 

@@ -93,7 +93,8 @@ end
 --- The tries, and the result.
 function Recommendation:__tostring()
   local rows = lists.map(self.tries, function(one)
-    return { one.name, one.settings, one.unknowns, one.wall, one.failed or one.part, one == self.best and "chosen" or "" }
+    return { one.name, one.settings, one.unknowns, one.wall, one.failed or one.part,
+             one == self.best and "chosen" or "" }
   end)
   return format_table{ columns = { "candidate", "settings", "unknowns", "wall", "error / tolerance", "" },
     units = { [4] = "s" }, rows = rows, formats = { [4] = "%.3f", [5] = "%.3g" } } .. "\n" .. self.report

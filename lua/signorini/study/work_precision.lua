@@ -112,6 +112,12 @@ local function draw(result, points, front, marks, options, file)
                  marks = #marks > 0 and all "mark" or nil }
   end
   chart[#chart + 1] = steps(front, points)
+  if result.error.uncertain and result.error.uncertain > 0 then
+    local times = lists.map(sorted(points), function(point) return point.time end)
+    local size = result.error.uncertain
+    chart[#chart + 1] = { x = { times[1], times[#times] }, y = { size, size }, label = "uncertainty of the reference",
+                          color = "gray", dashed = true }
+  end
   return core.sg.chart(chart)
 end
 
@@ -200,9 +206,10 @@ end
 --- Cost ratios, front, and the cases left out.
 function Result:__tostring()
   local time, size = self.time.name, self.error.name
-  local lines = {}
+  local lines = { quantity.doubt(self.error) }
   if #self.ratios > 0 then
-    lines = { ("%s: ratio of %s, A to B, at equal %s:"):format(self.name, time, size), self:table() }
+    lines[#lines + 1] = ("%s: ratio of %s, A to B, at equal %s:"):format(self.name, time, size)
+    lines[#lines + 1] = self:table()
   end
   for _, ratio in ipairs(self.ratios) do
     if ratio.why then

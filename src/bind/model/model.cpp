@@ -6,6 +6,7 @@
 #include "model/diagnosis/weak_hold.hpp"
 #include "model/scene/joins.hpp"
 #include "model/steps/equilibrium.hpp"
+#include "model/warnings/peak_edge.hpp"
 #include "model/warnings/state_warnings.hpp"
 
 #include <algorithm>
@@ -163,6 +164,11 @@ std::optional<std::string> off_axis(const model::Model<D>& model, const std::str
   return std::nullopt;
 }
 
+/// core.is_peak_at_edge(model, contact): see peak_edge.hpp.
+template <int D> bool is_peak_at_edge(const model::Model<D>& model, const std::string& name) {
+  return model::is_peak_at_edge(model, find(model.system.scene.contacts, name, "contact"));
+}
+
 /// core.weak_hold(model): a warning if contacts alone hold a body and hold it weakly; nil otherwise.
 template <int D> std::optional<std::string> weak_hold(model::Model<D>& model) {
   const auto warning = model::weak_hold(model);
@@ -195,6 +201,7 @@ constexpr Function model_core[] = {
     {"off_axis", call<off_axis<D>>},
     {"is_deformed", call<model::is_deformed<D>>}, // whether bodies are deformed in the accepted state
     {"state_warnings", call<state_warnings<D>>},
+    {"is_peak_at_edge", call<is_peak_at_edge<D>>},
     {"weak_hold", call<weak_hold<D>>},
 };
 

@@ -42,23 +42,6 @@ nurbs::Space1D extended(const nurbs::Space1D& space, std::array<double, 2> parts
   return {std::move(breaks), std::move(smoothness), elements};
 }
 
-/// True for the ends of direction α that are open.
-template <int D> std::array<bool, 2> open_ends(const Surface<D>& face, int alpha) {
-  const auto& reference = face.reference();
-  const int nu = face.direction(0).functions(), nv = D == 2 ? 1 : face.direction(D - 2).functions();
-  const int across = alpha == 0 ? nv : nu, step = alpha == 0 ? nu : 1, last = alpha == 0 ? nu - 1 : nu * (nv - 1);
-  const double size = (reference.rowwise().maxCoeff() - reference.rowwise().minCoeff()).norm();
-  const auto apart = [&](int i, int j) { return (reference.col(i) - reference.col(j)).norm() > same_place * size; };
-  bool seam = true;
-  std::array<bool, 2> points{D == 3, D == 3}; // borders that are collapsed to one point; never ends of curves
-  for (int i = 0; i < across; ++i) {
-    seam = seam && !apart(i * step, last + i * step);
-    points[0] = points[0] && !apart(0, i * step);
-    points[1] = points[1] && !apart(last, last + i * step);
-  }
-  return {!seam && !points[0], !seam && !points[1]};
-}
-
 /// Length of the last element at an end of direction α as its tangent at the end tells it, |x,_α| Δξ^α; of surfaces the
 /// longest at the ends and middles of the border's elements.
 template <int D> double last_length(const Surface<D>& face, int alpha, bool at_end) {
@@ -124,6 +107,22 @@ void weighted_functions(const Surface<D>& face, const VectorX* weights, FacePoin
 }
 
 } // namespace
+
+template <int D> std::array<bool, 2> open_ends(const Surface<D>& face, int alpha) {
+  const auto& reference = face.reference();
+  const int nu = face.direction(0).functions(), nv = D == 2 ? 1 : face.direction(D - 2).functions();
+  const int across = alpha == 0 ? nv : nu, step = alpha == 0 ? nu : 1, last = alpha == 0 ? nu - 1 : nu * (nv - 1);
+  const double size = (reference.rowwise().maxCoeff() - reference.rowwise().minCoeff()).norm();
+  const auto apart = [&](int i, int j) { return (reference.col(i) - reference.col(j)).norm() > same_place * size; };
+  bool seam = true;
+  std::array<bool, 2> points{D == 3, D == 3}; // borders that are collapsed to one point; never ends of curves
+  for (int i = 0; i < across; ++i) {
+    seam = seam && !apart(i * step, last + i * step);
+    points[0] = points[0] && !apart(0, i * step);
+    points[1] = points[1] && !apart(last, last + i * step);
+  }
+  return {!seam && !points[0], !seam && !points[1]};
+}
 
 template <int D>
 Surface<D>::Surface(const nurbs::Discretization& body, nurbs::Side side, int first, std::vector<int> shared)
@@ -309,6 +308,8 @@ template <int D> void Surface<D>::functions(FacePoint<D>& point, int order) cons
   }
 }
 
+template std::array<bool, 2> open_ends(const Surface<2>&, int);
+template std::array<bool, 2> open_ends(const Surface<3>&, int);
 template struct Extension<2>;
 template struct Extension<3>;
 template class Surface<2>;

@@ -96,6 +96,9 @@ private:
   std::vector<double> bezier_; ///< of each element, see BezierElement
 };
 
+/// True for the ends of direction α that are open: no seam, no border collapsed to one point, such as a pole.
+template <int D> std::array<bool, 2> open_ends(const Surface<D>& face, int alpha);
+
 /// An element of one of the faces of a surface (face 0 unless there are several), by direction of that face.
 template <int D> struct OwnElement {
   int face;

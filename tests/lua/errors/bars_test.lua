@@ -109,6 +109,28 @@ check.case("the peak under a sharp edge has no limit", function()
   if not is_nan(run:error("floor.max_pressure")[4]) then error "it has a bar" end
 end)
 
+check.case("peaks at edges: ends of either face, kinks; not planes of symmetry, axes, or contacts inside faces", function()
+  local function pressed(o)
+    local run = o.model:run(o.path or press)
+    check.completed(run)
+    check.equal(core.is_peak_at_edge(o.model, o.contact or "floor"), o.edge)
+  end
+  pressed{ model = strip{}, edge = false }
+  local line = sg.nurbs.line{ from = { 2.5, 0 }, to = { 1.5, 0 } }
+  pressed{ model = strip{ master = sg.rigid.surface(line) }, edge = true }
+  for _, body in ipairs { "cylinder", "ball" } do
+    local model, path = sg.scenes.hertz{ body = body, order = "N2", refinement = 1 }
+    pressed{ model = model, path = path, contact = "ground", edge = false }
+  end
+  for _, faces in ipairs { { "block.south", "slab.north" }, { "slab.north", "block.south" } } do
+    pressed{ contact = "touch", edge = true, path = { { steps = 2, grip = { 0, -0.05 } } }, model = scenes.model{
+      bodies = { slab = { size = { 4, 1 }, elements = { 16, 4 } },
+                 block = { size = { 1, 1 }, corner = { 1.5, 1 }, elements = { 6, 4 }, E = 100 } },
+      supports = { bed = { on = "slab.south", fix = "xy" }, grip = { on = "block.north", drive = "xy" } },
+      contacts = { touch = { slave = faces[1], master = faces[2] } } } }
+  end
+end)
+
 check.case("a model from a file has no table: unknown, with the reason", function()
   local file = check.folder() .. "/model.sgn"
   strip{}:save(file)

@@ -48,3 +48,47 @@ check.case("wrong arguments", function()
   fails({ error = "dPx", at_most = 1, cost = "order" },
     "cost (of the case order = N4, mesh = 12×4) must return finite numbers, got the string 'N4'")
 end)
+
+-- ── Errors against a row ─────────────────────────────────────────────────────────────────────────────────────────────
+
+local forces = setmetatable({ name = "press", parameters = { "order", "mesh" }, results = { "P", "P.error" },
+                units = { wall = "s" }, rows = {
+  { order = "N2", mesh = 1, wall = 1, P = 2.2 },
+  { order = "N2", mesh = 2, wall = 3, P = 2.02 },
+  { order = "N4", mesh = 4, wall = 9, P = 2, ["P.error"] = 0.04 },
+} }, core.types.study)
+local error_of = { of = "P", reference = { order = "N4" } }
+
+check.case("errors against a row: a case is within the tolerance with the uncertainty of the reference", function()
+  local best = sg.cheapest(forces, { error = error_of, at_most = 3.5 }) -- 1 % off, reference ± 2 %
+  check.equal(best.mesh, 2)
+  check.holds(tostring(best), "error of P = 1 %", "Reference: order = N4, mesh = 4, P = 2 ± 2 %",
+    "within which errors are not known")
+  local none, text = sg.cheapest(forces, { error = error_of, at_most = 2.5, where = function(row)
+    return row.order == "N2"
+  end })
+  check.equal(none, nil)
+  check.holds(text, "no case has error of P of at most 2.5")
+end)
+
+check.case("errors against a row: a diagram shows how uncertain it is, or that this is unknown", function()
+  local compared = sg.work_precision(forces, { error = error_of, file = check.folder() .. "/speed.png" })
+  check.holds(tostring(compared), "Reference: order = N4, mesh = 4, P = 2 ± 2 %", "it is the reference")
+  local plain = setmetatable(lists.merged(forces, { results = { "P" }, rows = lists.map(forces.rows, function(row)
+    return lists.merged(row, { ["P.error"] = false })
+  end) }), core.types.study)
+  check.holds(tostring(sg.work_precision(plain, { error = error_of })), "how uncertain it is itself is unknown")
+end)
+
+check.case("errors against a row: wrong input", function()
+  for _, wrong in ipairs {
+    { { of = "Q", reference = { order = "N4" } }, "error.of", "'Q'" },
+    { { of = "P", reference = { order = "N2" } }, "error.reference: 2 rows have order = N2, not one" },
+    { { of = "P", reference = { order = "N8" } }, "error.reference", "N8" },
+    { { of = "P" }, "error.reference" },
+    { { reference = { order = "N4" } }, "error.of" },
+  } do
+    check.fails(function() sg.cheapest(forces, { error = wrong[1], at_most = 1 }) end, "sg.cheapest",
+      table.unpack(wrong, 2))
+  end
+end)

@@ -42,8 +42,8 @@ end)
 
 check.case("a scene that reads the mesh gives the other meshes itself", function()
   local function strip(q)
-    return scenes.model{ bodies = { block = { size = { 4, 1 }, elements = { math.ceil(12 * q.mesh), math.ceil(3 * q.mesh) },
-                                              contact = "south" } },
+    local elements = { math.ceil(12 * q.mesh), math.ceil(3 * q.mesh) }
+    return scenes.model{ bodies = { block = { size = { 4, 1 }, elements = elements, contact = "south" } },
       supports = { grip = { on = "north", drive = "y", fix = "x" } },
       contacts = { floor = { slave = "south", penalty = 100,
                              master = sg.rigid.cylinder{ center = { 2, -8 }, radius = 8 } } } },

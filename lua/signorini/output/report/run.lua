@@ -74,6 +74,14 @@ local function energies(run)
     columns = { "stage", "work", "strain energy", "contact energy", "friction", "missing" } }
 end
 
+--- The last values with their error bars, and where these come from.
+local function errors(run)
+  if not run.errors or run.rows == 0 then return "" end
+  local cells, notes = require("signorini.errors.bars").last_row(run)
+  if not cells then return html.element("p", notes) end
+  return html_table(lists.merged(cells, { title = "errors" })) .. html.list(notes)
+end
+
 -- ── Texts ────────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 local function summary(run)
@@ -135,6 +143,7 @@ return function(run, options)
       { title = "Warnings and controls", html = warnings(run) },
       charts.section(where, run, options.charts),
       given, films,
+      { title = "Error bars of the last step", html = errors(run) },
       { title = "Stages", html = #run.stages > 0 and stages(run) or "" },
       { title = "Energy balance", html = energies(run) },
       { title = "Attempts", html = attempts(run) },

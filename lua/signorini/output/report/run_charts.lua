@@ -61,7 +61,7 @@ local function chosen(run)
     end
   end
   for _, name in ipairs(lists.sorted_names(run.extra)) do
-    if is_telling(run, name) then add({ name }, name, name) end
+    if is_telling(run, name) and not name:find "%.error$" then add({ name }, name, name) end
   end
   add({ "iterations" }, "iterations", "Newton iterations of each step")
   if lists.any(run.values.increments, function(count) return count > 1 end) then
@@ -81,7 +81,8 @@ local function chart_of(where, run, entry, i)
                                       ylabel = entry.ylabel or #entry.y == 1 and entry.y[1] or nil })
   for _, key in ipairs(own_options) do chart[key] = nil end
   for j, name in ipairs(entry.y) do
-    chart[j] = { x = run:column(x), y = run:column(name), label = #entry.y > 1 and name or "" }
+    chart[j] = { x = run:column(x), y = run:column(name), label = #entry.y > 1 and name or "",
+                 error = run.values[name .. ".error"] and run:column(name .. ".error") }
   end
   return core.sg.chart(chart)
 end
