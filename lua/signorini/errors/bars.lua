@@ -39,17 +39,11 @@ local function settings(model, run)
            steps = #run.outline == 1 and run.outline[1].steps or nil }
 end
 
--- Orders of the error up to which a largest pressure at a sharp edge is taken for one without a limit: where elements
--- do not resolve its singularity, r^-1/2 or weaker, the differences may still decrease.
-local singular_order = 1 / 2
-
---- Marks the largest pressures that grow with each refinement, since they are at sharp edges.
+--- Marks the largest pressures at sharp edges, which have no limit as elements get smaller.
 local function mark_edges(model, columns)
   for _, contact in ipairs(model:contact_names()) do
     local column = columns[contact .. ".max_pressure"]
-    if column and column.mesh.order and column.mesh.order <= singular_order and core.is_peak_at_edge(model, contact) then
-      column.mesh.why = "no limit"
-    end
+    if column and not column.mesh.exact and core.is_peak_at_edge(model, contact) then column.mesh.why = "no limit" end
   end
 end
 
@@ -175,7 +169,7 @@ end
 local most_lines = 16
 
 local doubts = {
-  ["no limit"] = "grows with each refinement, as at a sharp edge: there is no value that a finer mesh would reach",
+  ["no limit"] = "is at a sharp edge, where it grows with each refinement: there is no value that finer meshes reach",
   ["not converging"] = "does not converge with the mesh (±?: the largest difference of three meshes), as at "
     .. "irregular stick–slip or jumps. Hint: consider means over a stage, by measure",
 }

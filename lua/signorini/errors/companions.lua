@@ -120,13 +120,25 @@ function companions.solve_all(scene, changes, records, bar)
   if not whole then core.fail(core.interruption()) end
 end
 
+--- True if the results of a path depend on its steps: where contact rubs or bonds break, also in some stages only.
+--- Elastic bodies and contact without friction have no memory.
+local function has_history(scene)
+  local stages = lists.joined(scene.list, table.unpack(lists.map(scene.before, function(before) return before[1] end)))
+  return lists.any(scene.model:contact_names(), function(name)
+    local law = scene.model:contact_law(name)
+    return law.mu or law.strength or lists.any(stages, function(stage)
+      return stage.contacts and stage.contacts[name] and stage.contacts[name].friction
+    end)
+  end)
+end
+
 --- The changes with elements of so many times the run's, besides the mesh.
 local function changes_of(scene, elements)
   local list = { { name = "points", points = 2 }, { name = "row", row = true }, { name = "penalty", penalty = 1 / 2 },
                  { name = "steps", steps = 1 / 2 } }
-  local has_contact, has_penalty = #scene.model:contact_names() > 0, remade.has_penalty(scene.model)
+  local needed = { penalty = remade.has_penalty(scene.model), steps = has_history(scene) }
   local wanted = lists.filter(list, function(change)
-    return has_contact and (change.name ~= "penalty" or has_penalty) or change.name == "steps"
+    return #scene.model:contact_names() > 0 and needed[change.name] ~= false
   end)
   return lists.map(wanted, function(change) return lists.merged(change, { elements = elements }) end)
 end

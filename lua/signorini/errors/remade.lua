@@ -142,8 +142,8 @@ function remade.stiffness(model)
 end
 
 --- A model of the same scene at the start of its path. change: { elements = factor of their number per direction, row =
---- true: one level richer at the contact, penalty = factor, points = factor, default_penalty = true }. Its remaining constants are those of
---- `model`, also where they would follow from the mesh.
+--- true: one level richer at the contact, penalty = factor, points = factor, default_penalty = true }. Its remaining
+--- constants are those of `model`, also where they would follow from the mesh.
 function remade.model(model, change)
   local values, swap, again = recipes.of(model), {}, {}
   local singles = single_bodies(values.bodies)

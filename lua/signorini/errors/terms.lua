@@ -6,8 +6,10 @@ local lists = require "signorini.call.lists"
 local terms = {}
 
 local reach = 2 -- rows before and after that a value takes its bar from, too: differences may change their sign
-local slowest, fastest = 1.2, 4 -- factors by which the error decreases on the mesh that are trusted
-local fastest_area = 2 -- of quantities that depend on the border of the contact
+local small = 0.1 -- of the largest value: smaller ones count as this in proportions
+local slowest, fastest = 1.2, 3.5 -- factors by which the error decreases on the mesh that are trusted
+local fastest_area = 2.5 -- of quantities that depend on the border of the contact
+local order_peak = 1.5 -- of stresses below a contact's border with the root singularity
 local most_row = 0.9 -- share of the error of the mesh that a richer row may take away
 local noise = 1e-8 -- of the largest value: differences that the tolerance of Newton's method may leave
 
@@ -20,12 +22,16 @@ local function differences(a, b)
   return list
 end
 
---- The largest entries within a few rows, each times `factor`.
-local function widened(list, factor)
+--- Differences of a result whose sign changes along the path, as the border of contact passes elements: root mean
+--- squares over neighboring rows, those of larger values of the result reduced in proportion; each times `factor`.
+local function smoothed(list, own, factor)
+  local least, sizes = 0, {}
+  for _, value in ipairs(own) do least = math.max(least, small * math.abs(value)) end
+  for i, value in ipairs(own) do sizes[i] = math.max(least, math.abs(value)) end
   return lists.map(list, function(_, i)
-    local most = 0
-    for k = math.max(1, i - reach), math.min(#list, i + reach) do most = math.max(most, list[k]) end
-    return factor * most
+    local first, last, sum = math.max(1, i - reach), math.min(#list, i + reach), 0
+    for k = first, last do sum = sum + (list[k] * math.min(1, sizes[i] / sizes[k])) ^ 2 end
+    return factor * math.sqrt(sum / (last - first + 1))
   end)
 end
 
@@ -57,7 +63,9 @@ end
 --- True for quantities that depend on the place of the contact's border.
 local function depends_on_border(name) return name:find "%.area$" or name:find "%.debonded$" end
 
---- The term of the mesh: { bars, order q, why it is doubtful }.
+local function is_peak(name) return name:find "%.max_pressure$" end
+
+--- The term of the mesh: { bars, order q, why it is doubtful, exact: true if the mesh has no effect }.
 local function mesh_term(name, own, records, size)
   local finer, coarser = records["2h"], records["4h"]
   local d = differences(own, finer.values[name])
@@ -74,15 +82,27 @@ local function mesh_term(name, own, records, size)
       if before < expected * now then
         local all = differences(own, coarser.values[name])
         for i, value in ipairs(d) do d[i] = math.max(value, more[i] or 0, all[i] or 0) end
-        return { bars = widened(d, 1), order = low, why = "not converging" }
+        return { bars = smoothed(d, own, 1), order = low, why = "not converging" }
       end
       order = order_of(before / now, size, finer.size, coarser.size, low, high)
     end
   end
-  return { bars = widened(d, 1 / (ratio ^ order - 1)), order = order }
+  return { bars = smoothed(d, own, 1 / (ratio ^ (is_peak(name) and order_peak or order) - 1)), order = order,
+           exact = largest(d) <= noise * largest(own) }
 end
 
 -- ── Steps ────────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+--- The value of a list at a place between its entries `first` and `first` + n, by a parabola through the nearest
+--- three, or nil; entry 0 is 0. Companions with half of an odd number of steps end between those of the run.
+local function between(list, first, n, at)
+  local function entry(i) return first + i == 0 and 0 or list[first + i] end
+  local i = math.floor(at + 0.5)
+  if n < 2 or math.abs(at - i) < 1e-9 then return entry(i) end
+  i = math.max(1, math.min(n - 1, i))
+  local a, b, c, x = entry(i - 1), entry(i), entry(i + 1), at - i
+  return a and b and c and b + x * (c - a) / 2 + x ^ 2 * (a - 2 * b + c) / 2
+end
 
 --- The term of the steps, in the rows of the reference, from a companion with other steps: its error is c/m, that of
 --- the reference c/n, with m and n steps of a stage.
@@ -91,21 +111,18 @@ local function step_term(reference, other, counts, other_counts)
   for s, n in ipairs(counts) do
     local m, known = other_counts[s], {}
     for k = 1, m do
-      local at = k * n / m
-      local i = math.floor(at + 1e-9)
-      local a, b = i > 0 and reference[first + i] or first > 0 and reference[first] or 0, reference[first + i + 1]
-      local value, between = other[last + k], at - i > 1e-9
-      if not (a and value and (b or not between)) then break end
-      known[k] = math.abs(value - (between and a + (b - a) * (at - i) or a)) / math.abs(n / m - 1)
+      local value, own = other[last + k], between(reference, first, n, k * n / m)
+      if not (value and own) then break end
+      known[k] = math.abs(value - own) / math.abs(n / m - 1)
     end
     for i = 1, n do -- the next of the companion's steps
       local k = math.max(1, math.ceil(i * m / n - 1e-9))
-      if not known[k] or not reference[first + i] then return widened(bars, 1) end
+      if not known[k] or not reference[first + i] then return bars end
       bars[first + i] = known[k]
     end
     first, last = first + n, last + m
   end
-  return widened(bars, 1)
+  return bars
 end
 
 --- A list over the rows of one path in the rows of the same path with other steps: that of the next step.
@@ -131,12 +148,15 @@ end
 
 local names = { "points", "penalty", "steps" }
 
---- The term of a companion besides the mesh, over the rows of the run.
-local function other_term(key, name, records, counts)
+--- The term of a companion besides the mesh, over the rows of the run. `order`: of the error on the mesh.
+local function other_term(key, name, records, counts, order)
   local reference, record = records[records.reference], records[key]
   local own, other = reference.values[name], record.values[name] or {}
   local bars = key == "steps" and step_term(own, other, reference.counts, record.counts or {})
-    or widened(differences(own, other), key == "points" and 4 / 3 or 1)
+    or differences(own, other)
+  if key == "points" then
+    bars = smoothed(bars, own, 4 / 3 * (records.size / reference.size) ^ math.min(2, order or 1))
+  end
   local factor = records.factors and records.factors[key] or 1
   return lists.map(in_rows(bars, reference.counts, counts), function(bar) return factor * bar end)
 end
@@ -151,7 +171,7 @@ function terms.of(name, own, records, counts, tolerance)
   column.mesh = mesh_term(name, own, records, records.size)
   column.newton = lists.map(own, function() return tolerance * column.size end)
   for _, key in ipairs(names) do
-    if records[key] then column[key] = other_term(key, name, records, counts) end
+    if records[key] then column[key] = other_term(key, name, records, counts, column.mesh.order) end
   end
   local row = records.row
   if row and row.values[name] then

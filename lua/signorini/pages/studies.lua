@@ -274,8 +274,8 @@ scene gives to its contacts, such as { { penalty = 100 }, { method = "mortar", e
 The result has order, formulation (its keys), thickness_degree, settings (as run.settings), model and run of the
 candidate of least work within the tolerance (nil if there is none), tries, spent (s) and report. Work is unknowns times
 iterations, which is reproducible. Results of your own are measured by the option measure that scene returns.]],
-    returns = t.record("order?", t.text, "formulation? settings? model? run? best?", t.any, "thickness_degree?", t.number,
-      "tries", t.list(t.any), "spent", t.number, "report", t.text),
+    returns = t.record("order?", t.text, "formulation? settings? model? run? best?", t.any, "thickness_degree?",
+      t.number, "tries", t.list(t.any), "spent", t.number, "report", t.text),
     example = [[sg.recommend{ scene = function(q) return press(q.order, 1) end, tolerance = "20 % of grip.fy" }]] },
   { "sg.convergence_map", [[Returns a convergence map: where the solve converges over two parameters, and where and why
 it fails. It is a study with a case for each pair of values: a separate process calls scene and path. Errors, crashes
