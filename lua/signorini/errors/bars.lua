@@ -102,20 +102,23 @@ local function budget_of(column, row)
   return budget
 end
 
-local function finer(factor, _, order) return ("elements × %.2g per direction"):format(factor ^ (1 / order)) end
+--- A number with two digits, without an exponent.
+local function short(value) return ("%.15g"):format(tonumber(("%.2g"):format(value))) end
+
+local function finer(factor, _, order) return ("elements × %s per direction"):format(short(factor ^ (1 / order))) end
 
 -- What makes a term `factor` times as small, in words.
 local cures = {
   bulk = finer,
   penalty = function(factor, given)
-    return given.penalty and ("penalty %.2g"):format(factor * given.penalty) or ("penalties × %.2g"):format(factor)
+    return given.penalty and "penalty " .. short(factor * given.penalty) or "penalties × " .. short(factor)
   end,
   steps = function(factor, given)
-    return given.steps and ("%d steps"):format(math.ceil(factor * given.steps)) or ("steps × %.2g"):format(factor)
+    return given.steps and ("%d steps"):format(math.ceil(factor * given.steps)) or "steps × " .. short(factor)
   end,
   points = function(factor, given)
     local more = math.sqrt(factor)
-    return given.points and ("points = %d"):format(math.ceil(more * given.points)) or ("points × %.2g"):format(more)
+    return given.points and ("points = %d"):format(math.ceil(more * given.points)) or "points × " .. short(more)
   end,
   row = function(factor, given, order)
     return factor <= 4 and "a richer row (a layer, or layer_knots = 2)" or finer(factor, given, order)
@@ -147,7 +150,8 @@ function bars.budget(run, name, row)
   check.value(t.integer(1, run.rows), row, "run:budget", "step")
   local budget, error = budget_of(column, row), bars.list(run, name)[row]
   budget.value, budget.error, budget.why = run.values[name][row], error, column.mesh.why
-  budget.to_halve_it = error == error and error > 0 and advice(column, budget, error, run.errors.settings) or nil
+  local known = error == error and error > 0 and not column.mesh.why
+  budget.to_halve_it = known and advice(column, budget, error, run.errors.settings) or nil
   return budget
 end
 
@@ -177,7 +181,9 @@ local doubts = {
 --- The last row as a table { columns, units, rows }, and sentences about it; nil if all bars are unknown, and why.
 function bars.last_row(run)
   if run.errors.missing then return nil, "errors are unknown: " .. run.errors.missing end
-  local names = lists.filter(run.errors.names, function(name) return run.errors.columns[name].size > 0 end)
+  local names = lists.filter(run.errors.names, function(name)
+    return run.errors.columns[name].size > 0 and not name:find "%.max_penetration$" -- which is an error itself
+  end)
   local shown, rows, notes = { table.unpack(names, 1, most_lines) }, {}, {}
   local used = lists.filter(parts, function(part)
     return part ~= "newton" and lists.any(shown, function(name) return bars.budget(run, name, run.rows)[part] end)

@@ -105,7 +105,11 @@ end
 
 -- ── Companions ───────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- Solves versions of a scene in processes, changes with names; adds their records by name.
+-- The error of companions that Ctrl-C has ended.
+companions.interrupted = {}
+
+--- Solves versions of a scene in processes, changes with names; adds their records by name. After Ctrl-C the error is
+--- companions.interrupted.
 function companions.solve_all(scene, changes, records, bar)
   local whole = core.jobs(#changes, core.at_once, function(k)
     return core.pack(solve(scene, changes[k]))
@@ -117,7 +121,7 @@ function companions.solve_all(scene, changes, records, bar)
     bar:line(("companion '%s': %s%s"):format(name, counted(records[name].rows, "step"),
       records[name].failure and ", failed: " .. records[name].failure or ""))
   end)
-  if not whole then core.fail(core.interruption()) end
+  if not whole then error(companions.interrupted, 0) end
 end
 
 --- True if the results of a path depend on its steps: where contact rubs or bonds break, also in some stages only.
@@ -163,7 +167,11 @@ function companions.of_run(model, list, options)
   local scene, missing = companions.scene(model, list, options)
   if not scene then return { missing = missing } end
   local wanted = options.errors
-  return companions.solve(scene, wanted == "mesh" or type(wanted) == "table" and wanted.terms == "mesh")
+  local done, records = pcall(companions.solve, scene, wanted == "mesh" or type(wanted) == "table"
+    and wanted.terms == "mesh")
+  if not done and records == companions.interrupted then core.fail(core.interruption()) end
+  if not done then error(records, 0) end
+  return records
 end
 
 return companions

@@ -177,10 +177,12 @@ local function climb(state, goals, refuses, display)
 end
 
 --- The last level { model, run, part (error over tolerance), work, settings, missed (why there is no further one), … }
---- of a scene, and all as { settings, part, wall, unknowns, failed }; why: in words, why there is none.
+--- of a scene, and all as { settings, part, wall, unknowns, failed }; or nil, and the message of an error or of Ctrl-C.
 function ladder.solve(model, list, options, goals, refuses, display)
   local scene, why = companions.scene(model, list, options)
-  if not scene then return nil, why end
+  if not scene then
+    return nil, ("%s: tolerance: %s, so that it cannot be solved on other meshes"):format(where, why)
+  end
   if not options.measure then check_names(goals, Run.new(model, {}).names) end -- before anything is solved
   local _, directions = remade.size(model)
   local state = { scene = scene, solved = {}, levels = {}, directions = directions,
@@ -188,6 +190,7 @@ function ladder.solve(model, list, options, goals, refuses, display)
   core.mute_warnings(true)
   local done, level = pcall(climb, state, goals, refuses, display)
   core.mute_warnings(false)
+  if not done and level == companions.interrupted then return nil, core.interruption() end
   if not done then error(level, 0) end
   return level, state.levels
 end
@@ -206,9 +209,7 @@ function ladder.run(model, list, options)
     return beyond > 0 and ("%s would take about %.2g s more than the limit of %g s allows"):format(settings, beyond,
       limit) or nil
   end, display)
-  if not level then
-    core.fail(("%s: tolerance: %s, so that it cannot be solved on other meshes"):format(where, levels))
-  end
+  if not level then core.fail(levels) end
   local run = level.run
   core.replace(model, level.model)
   recipes.keep(model, recipes.of(level.model))

@@ -258,8 +258,8 @@ meet a tolerance: with each candidate the path is solved on finer meshes, with o
 model:run(path, { tolerance = … }), until its error bars hold or another candidate is cheaper. Prints all levels.]],
     named = {
       { "scene", t.callback_of({ { "q", t.map(t.any) } }, t.object "model", t.any, t.or_nil(t.any)),
-        [[function of q = { order, formulation, thickness_degree, mesh } that returns a model, its stages, and options of
-model:run. If it reads q.mesh, it is called again for finer and coarser meshes, with so many times as many elements per
+        [[function of q = { order, formulation, thickness_degree, mesh } that returns a model, its stages, and options
+of model:run. If it reads q.mesh, it is called again for finer and coarser meshes, with so many times as many elements per
 direction (1 at first); otherwise these are made from the tables of sg.body and sg.model]] },
       { "tolerance", t.worded(t.one_or_more(t.text), 'a text such as "1 % of grip.fx", or a list of these'),
         "largest error bars of results, in all steps, in parts of their largest values" },

@@ -1,6 +1,7 @@
 -- sg.recommend: the cheapest discretization and contact formulation whose error bars are within a tolerance. Each
 -- candidate climbs the levels of model:run(path, { tolerance = … }) as long as it may become the cheapest one.
 
+local check = require "signorini.call.check"
 local core = require "signorini.core"
 local counted = require("signorini.call.text").counted
 local format_table = require("signorini.output.table").text
@@ -51,7 +52,7 @@ end
 --- Climbs with a candidate; adds its levels to the tries.
 local function try(search, candidate)
   local reads_mesh, model, list, options = call_scene(search, candidate, 1)
-  list, options = require("signorini.call.check").call("model:run", model, list, options)
+  list, options = check.call("model:run", model, list, lists.merged(options or {}, { tolerance = search.tolerance }))
   if reads_mesh then
     options.errors = { scene = function(q) return select(2, call_scene(search, candidate, q.mesh)) end }
   end
@@ -60,7 +61,9 @@ local function try(search, candidate)
     local spent = core.now() - search.began
     if search.limit and spent + times * last.run.wall > search.limit then return "limit" end
   end, search.display)
-  if not level then core.fail(("%s: scene: %s"):format(where, levels)) end
+  search.interrupted = not level and levels == core.interruption()
+  if search.interrupted then return end
+  if not level then core.fail(levels) end
   for _, one in ipairs(levels) do
     search.tries[#search.tries + 1] = lists.merged(one, { name = candidate.name, order = candidate.order,
       formulation = candidate.formulation, thickness_degree = candidate.thickness_degree })

@@ -77,10 +77,15 @@ end)
 check.case("an interrupted recommendation reports it and remains", function()
   local output = type_in [[
 interrupt()
-r = sg.recommend{ scene = function() return pressed(), stages, saving end, quantity = "top.fy", at_most = 0.1 }
+measure = function() io.open(saving.checkpoint.file, "w"):close() return { one = 1 } end
+r = sg.recommend{ scene = function() return pressed(), stages, { measure = measure } end, tolerance = "1 % of top.fy" }
 print("result", r.order, #r.tries)
+model = pressed()
+interrupt() model:run(stages, { errors = true, measure = measure })
+interrupt() model:run(stages, { tolerance = "1 % of top.fy", measure = measure })
+print("still", model:last_length())
 ]]
-  check.holds(output, "Stopped by Ctrl-C", "result\tnil\t1")
+  check.holds(output, "Stopped by Ctrl-C", "result\tnil\t0", "still\t0")
 end)
 
 check.case("an interrupted convergence map reports it and remains, with the finished cells", function()
