@@ -325,7 +325,7 @@ local function reported_files(output)
 end
 
 --- How a complete file ends.
-local ends = { png = "IEND....$", svg = "\n</svg>\n$", html = "\n</html>\n$", csv = "\n.*\n$" }
+local ends = { png = "IEND....$", svg = "\n</svg>\n$", html = "\n</html>\n$", csv = "\n.*\n$", json = "[%]}]\n$" }
 
 --- The files that a script reports are there and complete, and it has written no other picture.
 local function check_files(script, folder, files)

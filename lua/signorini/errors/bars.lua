@@ -56,7 +56,9 @@ function bars.attach(run, model)
   mark_edges(model, columns)
   run.errors = { columns = columns, settings = settings(model, run), missing = run.companions.missing,
                  names = lists.filter(run.names, function(name) return columns[name] end) }
-  for _, name in ipairs(run.errors.names) do run:add_extra(name .. suffix) end
+  for _, name in ipairs(run.errors.names) do
+    if not run.values[name .. suffix] then run:add_extra(name .. suffix) end
+  end
   for _, name in ipairs(run.errors.names) do
     local values, total = run.values[name .. suffix], bars.list(run, name)
     for row = 1, run.rows do values[row] = total[row] end

@@ -136,27 +136,37 @@ local function has_history(scene)
   end)
 end
 
---- The changes with elements of so many times the run's, besides the mesh.
-local function changes_of(scene, elements)
-  local list = { { name = "points", points = 2 }, { name = "row", row = true }, { name = "penalty", penalty = 1 / 2 },
-                 { name = "steps", steps = 1 / 2 } }
-  local needed = { penalty = remade.has_penalty(scene.model), steps = has_history(scene) }
-  local wanted = lists.filter(list, function(change)
-    return #scene.model:contact_names() > 0 and needed[change.name] ~= false
+--- The changes besides the mesh of a scene with settings { elements, row, penalty, steps, points }.
+local function changes_of(scene, settings)
+  local factors = { points = 2, penalty = 1 / 2, steps = 1 / 2 }
+  local needed = { penalty = remade.has_penalty(scene.model), steps = has_history(scene), row = not settings.row }
+  local wanted = lists.filter({ "points", "row", "penalty", "steps" }, function(name)
+    return #scene.model:contact_names() > 0 and needed[name] ~= false
   end)
-  return lists.map(wanted, function(change) return lists.merged(change, { elements = elements }) end)
+  return lists.map(wanted, function(name)
+    return lists.merged(settings, { name = name,
+                                    [name] = name == "row" or factors[name] * (settings[name] or 1) })
+  end)
 end
 
---- The records of the companions of a scene by name: "2h", "4h", "points", …; `reference`: of which of these two the
---- others differ; size: of the elements of the scene itself.
+--- Adds the records besides the mesh to those of "2h" and "4h"; `reference`: from which of these they differ.
+--- on_mesh(factor): the settings of these two, with so many times the elements. Returns those of the reference.
+function companions.solve_others(scene, on_mesh, records)
+  local _, directions = remade.size(scene.model)
+  records.reference = directions == 3 and not records["4h"].failure and "4h" or "2h"
+  local settings = on_mesh(records.reference == "4h" and 1 / 4 or 1 / 2)
+  local changes = changes_of(scene, settings)
+  companions.solve_all(scene, changes, records, progress(#changes))
+  return settings
+end
+
+--- The records of the companions of a scene by name: "2h", "4h", "points", …; size: of the elements of the scene.
 function companions.solve(scene, only_mesh)
-  local size, directions = remade.size(scene.model)
-  local records = { size = size }
-  local bar = progress(only_mesh and 2 or 6)
+  local records = { size = remade.size(scene.model) }
+  local bar = progress(2)
   companions.solve_all(scene, { { name = "2h", elements = 1 / 2 }, { name = "4h", elements = 1 / 4 } }, records, bar)
   if not only_mesh and records["2h"].rows > 0 then
-    records.reference = directions == 3 and not records["4h"].failure and "4h" or "2h"
-    companions.solve_all(scene, changes_of(scene, records.reference == "4h" and 1 / 4 or 1 / 2), records, bar)
+    companions.solve_others(scene, function(factor) return { elements = factor } end, records)
   end
   bar:clear()
   return records

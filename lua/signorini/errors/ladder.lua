@@ -2,6 +2,7 @@
 -- contact, other penalties, steps and points, until the error bars of the goals are within the tolerance. Each level is
 -- a companion of the next [theory 11.6].
 
+local bars = require "signorini.errors.bars"
 local companions = require "signorini.errors.companions"
 local core = require "signorini.core"
 local counted = require("signorini.call.text").counted
@@ -18,14 +19,19 @@ local ladder = {}
 
 local where = "model:run"
 
-local other_share = 1 / 6 -- of the tolerance for each of penalty, steps and points
-local mesh_share = 1 / 2 -- and for the mesh
-local powers = { penalty = 1, steps = 1, points = 2 } -- of the factor by which their terms decrease
-local most_finer = 2 -- elements per direction of a level, in units of those of the level before
-local nearly = 1.6 -- a factor from which on the elements are doubled, so that the level before is a companion
-local stiffest = 100 / 3 -- penalty in units of the default one: 1000 E/h
+-- Terms besides the mesh: share of the tolerance, more where smaller terms cost iterations or steps, and the power of
+-- the factor by which they decrease.
+local others = { penalty = { share = 1 / 4, power = 1 }, points = { share = 1 / 10, power = 2 },
+                 steps = { share = 1 / 5, power = 1 } }
+local whole = 0.9 -- of the tolerance for all terms; the mesh takes what the others leave
+local settled = 0.4 -- of the tolerance: terms of meshes that need not be finer
+local near = 2 -- of the tolerance: terms of meshes from which on the other terms count
+local most_finer = 2 -- elements per direction of a level, in units of those of the level before, a companion then
+local least_finer = 1.5 -- elements of a level, likewise
+local stiffest = 10 -- penalty in units of the default one: stiffer ones over-constrain the contact of coarse meshes
 local most_levels = 8
 local growth = 1.3 -- exponent of the time over the number of elements
+local most_smaller = 10 -- terms besides the mesh of a level, as their laws do not hold farther
 local slack = 1.1 -- of a factor that is not worth a change
 
 -- ── Goals ────────────────────────────────────────────────────────────────────────────────────────────────────────────
@@ -36,8 +42,8 @@ function ladder.goals(from, texts)
     local percent, name = text:match "^%s*([%d.eE+-]+)%s*%%%s*of%s+(%S+)%s*$"
     local share = tonumber(percent)
     if not share or not (share > 0 and share <= 100) then
-      core.fail(('%s: tolerance%s must be a text such as "1 %% of grip.fx", with more than 0 and at most 100 %%, got %q')
-        :format(from, #texts > 1 and ("[%d]"):format(i) or "", text))
+      core.fail(('%s: tolerance%s must be a text such as "1 %% of grip.fx", with more than 0 and at most 100 %%, '
+        .. 'got %q'):format(from, #texts > 1 and ("[%d]"):format(i) or "", text))
     end
     return { from = from, share = share / 100, name = name }
   end)
@@ -70,7 +76,7 @@ local function needs_of(run, goals)
     end
     note("total", column.total or {})
     note("mesh", column.mesh.bars)
-    for key in pairs(powers) do note(key, column[key]) end
+    for key in pairs(others) do note(key, column[key]) end
     needs.row = math.max(needs.row, column.row or 0)
     needs.order = math.min(needs.order, column.mesh.order or 1)
   end
@@ -84,27 +90,52 @@ local function key_of(settings)
     settings.steps)
 end
 
---- The settings of the next level, of which each term should be within its share of the tolerance. `stiffness`: the
---- largest factor of the penalty on the given mesh.
+--- The settings with `factor` times the elements. A penalty above the given one changes likewise, as the stiffest one
+--- does that elements of this size bear: a coarser mesh with the same one would be over-constrained.
+local function on_mesh(settings, factor)
+  local penalty = settings.penalty > 1 and math.max(1, factor * settings.penalty) or settings.penalty
+  return lists.merged(settings, { elements = factor * settings.elements, penalty = penalty })
+end
+
+--- The term of the mesh that a richer row would leave, if it removes most of it.
+local function mesh_of(settings, needs)
+  local richer = needs.row > 1 / 2 and not settings.row
+  return needs.mesh * (richer and 1 - needs.row or 1), richer
+end
+
+--- True if the mesh may be nearly within the tolerance on the next level.
+local function is_near(settings, needs) return mesh_of(settings, needs) <= near * most_finer ^ needs.order end
+
+--- True if the other terms are to be reduced on the next level. They are larger on coarse meshes, so that they wait for
+--- the mesh if they seem to be far from their shares; and with other constants the level before is no companion.
+local function is_time(settings, needs)
+  local most = 0
+  for key, other in pairs(others) do most = math.max(most, needs[key] / other.share) end
+  return needs.mesh <= settled or is_near(settings, needs) and most <= most_smaller
+end
+
+--- The settings of the next level, of which the terms should be within the tolerance. `stiffness`: the largest factor
+--- of the penalty on the given mesh.
 local function next_settings(settings, needs, stiffness)
-  local new, changed = lists.merged(settings), false
-  for key, power in pairs(powers) do
-    local factor = slack * (needs[key] / other_share) ^ (1 / power)
-    if factor > slack ^ 2 and factor < math.huge then new[key], changed = settings[key] * factor, true end
+  local new, room = lists.merged(settings), whole
+  if is_time(settings, needs) then
+    for key, other in pairs(others) do
+      local factor = math.min(most_smaller, needs[key] / other.share) ^ (1 / other.power)
+      if factor > slack and needs[key] < math.huge then new[key] = settings[key] * factor end
+      room = room - math.min(needs[key], slack * other.share)
+    end
+    -- the given steps, and the ends of half as many, are among those of all levels
+    if new.steps > settings.steps then new.steps = 2 * math.ceil(new.steps / 2) end
   end
-  local mesh = needs.mesh
-  if mesh > mesh_share and needs.row > 1 / 2 and not settings.row then
-    new.row, changed = true, true
-    mesh = mesh * (1 - needs.row)
+  local mesh, richer = mesh_of(settings, needs)
+  if needs.mesh > room then new.row = settings.row or richer end
+  local unchanged = key_of(new) == key_of(settings)
+  if mesh > room or unchanged then
+    local finer = math.min(most_finer, math.max(least_finer, (mesh / room) ^ (1 / needs.order)))
+    new = unchanged and on_mesh(new, most_finer) or lists.merged(new, { elements = finer * new.elements })
   end
-  if mesh > mesh_share then
-    local finer = math.min(most_finer, (mesh / mesh_share) ^ (1 / needs.order))
-    new.elements, changed = settings.elements * (finer > nearly and most_finer or finer), true
-  end
-  if not changed then new.elements = settings.elements * most_finer end -- the sum of the terms is too large
   new.penalty = math.max(settings.penalty, math.min(new.penalty, stiffness * new.elements))
-  if key_of(new) == key_of(settings) then new.elements = settings.elements * most_finer end
-  return new
+  return key_of(new) ~= key_of(settings) and new or on_mesh(settings, most_finer)
 end
 
 local function settings_text(settings)
@@ -117,32 +148,44 @@ end
 
 -- ── Levels ───────────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- The companions of a level for its mesh, solved unless they have been, and those of the first level for the rest.
-local function records_of(state, settings)
+--- The companions of a level for its mesh, solved unless they have been.
+local function mesh_records(state, settings)
   local records, missing = { size = remade.size(state.scene.model) / settings.elements }, {}
   for name, factor in pairs { ["2h"] = 1 / 2, ["4h"] = 1 / 4 } do
-    local other = lists.merged(settings, { elements = settings.elements * factor })
+    local other = on_mesh(settings, factor)
     records[name] = state.solved[key_of(other)]
     if not records[name] then missing[#missing + 1] = lists.merged(other, { name = name }) end
   end
   companions.solve_all(state.scene, missing, records, progress(#missing))
   for _, change in ipairs(missing) do state.solved[key_of(change)] = records[change.name] end
-  local first = state.first
-  for key in pairs(powers) do records[key] = first[key] end
-  records.row = not settings.row and first.row or nil
-  records.first, records.reference = first[first.reference], "first"
-  records.factors = { penalty = 1 / settings.penalty, steps = 1 / settings.steps, points = 1 / settings.points ^ 2 }
+  return records
+end
+
+--- The companions of a level for its mesh, and for the rest those of the level for which they were solved last.
+local function records_of(state, settings)
+  local records, last, their = mesh_records(state, settings), state.others, state.measured
+  for key in pairs(others) do records[key] = last[key] end
+  records.row = not settings.row and last.row or nil
+  records.first, records.reference, records.factors = last[last.reference], "first", {}
+  for key, other in pairs(others) do records.factors[key] = (their[key] / settings[key]) ^ other.power end
   return records
 end
 
 --- Solves a level; returns its model, its run, and its stages.
 local function solve(state, settings)
   local model, list, options, before = companions.made(state.scene, settings)
-  local records = records_of(state, settings)
-  options.states, options.companions = state.scene.options.states, records
+  options.states, options.companions = state.scene.options.states, records_of(state, settings)
   local run = require "signorini.run.run"(model, list, options)
   state.solved[key_of(settings)] = companions.record(model, run, list)
   return { model = model, run = run, list = list, options = options, before = before, settings = settings }
+end
+
+--- Solves the companions of given settings besides the mesh.
+local function measure_others(state, settings)
+  local records = mesh_records(state, settings)
+  state.others, state.measured = records, settings
+  if records["2h"].rows == 0 then return end
+  state.measured = companions.solve_others(state.scene, function(factor) return on_mesh(settings, factor) end, records)
 end
 
 --- Work that does not depend on the machine: unknowns times iterations.
@@ -152,15 +195,20 @@ local function work_of(level) return #level.model:unknowns() * level.run.iterati
 --- these settings and about so many times the work, is not to be solved; returns the last one.
 local function climb(state, goals, refuses, display)
   local settings, level = { elements = 1, row = false, penalty = 1, steps = 1, points = 1 }, nil
-  state.first = companions.solve(state.scene, false)
-  for name, factor in pairs { ["2h"] = 1 / 2, ["4h"] = 1 / 4 } do
-    state.solved[key_of(lists.merged(settings, { elements = factor }))] = state.first[name]
-  end
+  local measured_on = 1 -- elements of the level for which the terms besides the mesh were measured
+  measure_others(state, settings)
   for number = 1, most_levels do
     local last = level
     level = solve(state, settings)
     if number == 1 then check_names(goals, level.run.errors.names) end
     local needs = needs_of(level.run, goals)
+    if needs.total > 1 and is_near(settings, needs) and measured_on < settings.elements then
+      measured_on = settings.elements
+      measure_others(state, settings) -- on coarser meshes the terms of penalty and points are larger
+      level.run.companions = records_of(state, settings)
+      bars.attach(level.run, level.model)
+      needs = needs_of(level.run, goals)
+    end
     level.part, level.work = needs.total, work_of(level)
     state.levels[number] = { settings = settings_text(settings), part = level.part, wall = level.run.wall,
                              unknowns = #level.model:unknowns(), failed = level.run.failed and level.run.reason or nil }

@@ -43,8 +43,9 @@ end
 local error_column = { "error", t.either(t.column, t.of_row(t.number), t.named {
   { "of", t.text, "a column, the error of which is taken in % of its value in the row of the reference" },
   { "reference", t.map(t.any), "values of parameters that only this row has, as in study:row" },
-}), [[errors: a column or a function of a row, of which signs are ignored, or { of = "P", reference = { order = "N4" } }.
-If the cases also return the error bar of P as ["P.error"], that of the reference tells how uncertain all errors are]] }
+}), [[errors: a column or a function of a row, of which signs are ignored, or { of = "P", reference = { order =
+"N4" } }. If the cases also return the error bar of P as ["P.error"], that of the reference tells how uncertain all
+errors are]] }
 
 local other = { "other", t.object "convergence map", "map of the same values, drawn next to this one", optional = true }
 local titles = { "titles", t.list(t.text, 2), "titles of the two maps", otherwise = "their names" }
@@ -259,8 +260,8 @@ model:run(path, { tolerance = … }), until its error bars hold or another candi
     named = {
       { "scene", t.callback_of({ { "q", t.map(t.any) } }, t.object "model", t.any, t.or_nil(t.any)),
         [[function of q = { order, formulation, thickness_degree, mesh } that returns a model, its stages, and options
-of model:run. If it reads q.mesh, it is called again for finer and coarser meshes, with so many times as many elements per
-direction (1 at first); otherwise these are made from the tables of sg.body and sg.model]] },
+of model:run. If it reads q.mesh, it is called again for finer and coarser meshes, with so many times as many elements
+per direction (1 at first); otherwise these are made from the tables of sg.body and sg.model]] },
       { "tolerance", t.worded(t.one_or_more(t.text), 'a text such as "1 % of grip.fx", or a list of these'),
         "largest error bars of results, in all steps, in parts of their largest values" },
       { "orders", t.list(t.text, nil, 1), "order labels, cheapest first", default = { "N2", "N2-N2.2" } },

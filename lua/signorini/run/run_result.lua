@@ -226,8 +226,8 @@ function Run:record_control(to, place, reason)
 end
 
 local function joined(values, format)
-  local texts = lists.map(values, function(value) return format:format(value) end)
-  return #texts > 0 and table.concat(texts, ", ") or "none"
+  if #values == 0 then return "none" end
+  return table.concat(lists.map(values, function(value) return format:format(value) end), ", ")
 end
 
 --- The attempts since the last accepted one, in words; an empty string if there was only one.
@@ -322,9 +322,7 @@ end
 
 -- ── Reading (by the user) ────────────────────────────────────────────────────────────────────────────────────────────
 
-local copy = lists.joined
-
-function Run:columns() return copy(self.names) end
+function Run:columns() return lists.joined(self.names) end
 
 function Run:column(name)
   local values = self.values[name]
@@ -340,14 +338,14 @@ local function history(run, what, step)
   return run.histories[step]
 end
 
-function Run:attempts(step) return copy(history(self, "run:attempts", step)) end
+function Run:attempts(step) return lists.joined(history(self, "run:attempts", step)) end
 
 function Run:residuals(step)
   local attempts = history(self, "run:residuals", step)
-  return copy(attempts[#attempts].residuals)
+  return lists.joined(attempts[#attempts].residuals)
 end
 
-function Run:states() return copy(self.stored_states) end
+function Run:states() return lists.joined(self.stored_states) end
 
 function Run:csv(file)
   local rows = {}
@@ -390,8 +388,8 @@ function Run:__tostring()
   text = ("%s\ntime: bulk %.3f s, contact %.3f s, factorization and solve %.3f s, rest %.3f s")
     :format(text, spent.bulk, spent.contact, spent.linear, spent.rest)
   local errors = self.errors and require("signorini.errors.bars").lines(self) or {}
-  if self.settings then errors = lists.joined(require("signorini.errors.ladder").lines(self), errors) end
-  for _, line in ipairs(lists.joined(failed_attempts(self), controls.lines(self), self.warnings, errors)) do
+  local levels = self.settings and require("signorini.errors.ladder").lines(self) or {}
+  for _, line in ipairs(lists.joined(failed_attempts(self), controls.lines(self), self.warnings, levels, errors)) do
     text = text .. "\n" .. line
   end
   if self.reason == "completed" then return text end
