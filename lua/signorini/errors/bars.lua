@@ -180,11 +180,24 @@ local doubts = {
     .. "irregular stick–slip or jumps. Hint: consider means over a stage, by measure",
 }
 
+local rounding = 1e-9 -- of the largest component of a force: those that are zero but for rounding errors
+
+--- True if a result differs from zero.
+local function is_telling(run, name)
+  local owner, key = name:match "^(.*)%.([^.]*)$"
+  local size, most = run.errors.columns[name].size, 0
+  for other, column in pairs(run.errors.columns) do
+    local same = owner and key:find "^f[xyz]$" and other:match "^(.*)%.f[xyz]$" == owner
+    if same then most = math.max(most, column.size) end
+  end
+  return size > rounding * most
+end
+
 --- The last row as a table { columns, units, rows }, and sentences about it; nil if all bars are unknown, and why.
 function bars.last_row(run)
   if run.errors.missing then return nil, "errors are unknown: " .. run.errors.missing end
   local names = lists.filter(run.errors.names, function(name)
-    return run.errors.columns[name].size > 0 and not name:find "%.max_penetration$" -- which is an error itself
+    return not name:find "%.max_penetration$" and is_telling(run, name) -- penetration is an error itself
   end)
   local shown, rows, notes = { table.unpack(names, 1, most_lines) }, {}, {}
   local used = lists.filter(parts, function(part)

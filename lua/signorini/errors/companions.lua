@@ -137,9 +137,9 @@ local function has_history(scene)
 end
 
 --- The changes besides the mesh of a scene with settings { elements, row, penalty, steps, points }.
-local function changes_of(scene, settings)
+local function changes_of(scene, settings, with_row)
   local factors = { points = 2, penalty = 1 / 2, steps = 1 / 2 }
-  local needed = { penalty = remade.has_penalty(scene.model), steps = has_history(scene), row = not settings.row }
+  local needed = { penalty = remade.has_penalty(scene.model), steps = has_history(scene), row = with_row and not settings.row }
   local wanted = lists.filter({ "points", "row", "penalty", "steps" }, function(name)
     return #scene.model:contact_names() > 0 and needed[name] ~= false
   end)
@@ -150,23 +150,25 @@ local function changes_of(scene, settings)
 end
 
 --- Adds the records besides the mesh to those of "2h" and "4h"; `reference`: from which of these they differ.
---- on_mesh(factor): the settings of these two, with so many times the elements. Returns those of the reference.
-function companions.solve_others(scene, on_mesh, records)
+--- on_mesh(factor): the settings of these two, with so many times the elements. with_row: also with a richer row.
+--- Returns the settings of the reference.
+function companions.solve_others(scene, on_mesh, records, with_row)
   local _, directions = remade.size(scene.model)
   records.reference = directions == 3 and not records["4h"].failure and "4h" or "2h"
   local settings = on_mesh(records.reference == "4h" and 1 / 4 or 1 / 2)
-  local changes = changes_of(scene, settings)
+  local changes = changes_of(scene, settings, with_row)
   companions.solve_all(scene, changes, records, progress(#changes))
   return settings
 end
 
 --- The records of the companions of a scene by name: "2h", "4h", "points", …; size: of the elements of the scene.
 function companions.solve(scene, only_mesh)
-  local records = { size = remade.size(scene.model) }
-  local bar = progress(2)
+  local size, directions = remade.size(scene.model)
+  local records, bar = { size = size }, progress(2)
   companions.solve_all(scene, { { name = "2h", elements = 1 / 2 }, { name = "4h", elements = 1 / 4 } }, records, bar)
   if not only_mesh and records["2h"].rows > 0 then
-    companions.solve_others(scene, function(factor) return { elements = factor } end, records)
+    -- in solids a richer row takes longer than all others together
+    companions.solve_others(scene, function(factor) return { elements = factor } end, records, directions == 2)
   end
   bar:clear()
   return records

@@ -185,7 +185,9 @@ local function measure_others(state, settings)
   local records = mesh_records(state, settings)
   state.others, state.measured = records, settings
   if records["2h"].rows == 0 then return end
-  state.measured = companions.solve_others(state.scene, function(factor) return on_mesh(settings, factor) end, records)
+  state.measured = companions.solve_others(state.scene, function(factor)
+    return on_mesh(settings, factor)
+  end, records, true)
 end
 
 --- Work that does not depend on the machine: unknowns times iterations.

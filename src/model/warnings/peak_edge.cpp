@@ -32,6 +32,41 @@ template <int D> bool is_held(const Model<D>& model, const contact::Surface<D>& 
   return held || on_axis;
 }
 
+/// True if a contact reaches an end of its slave face, at most one element away, which is an edge.
+template <int D> bool ends_slave(const Model<D>& model, int contact, int element, int direction, bool at_end) {
+  const contact::Formulation<D>& formulation = *model.system.contacts[contact];
+  const contact::Surface<D>& slave = formulation.slave();
+  const int away = elements_to_end(slave, element, direction, at_end);
+  if (away > 1 || !contact::open_ends(slave, direction)[at_end] || is_held(model, slave, direction, at_end))
+    return false;
+  const int last = away == 1 ? slave.neighbor(element, direction, at_end) : element;
+  const contact::ContactPoints<D>& points = formulation.points();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const contact::ContactPoint& point = points.list[i];
+    const int per_direction = point.sparse ? points.sparse : points.full;
+    const int row = direction == 0 ? point.number % per_direction : point.number / per_direction;
+    if (point.element == last && row == (at_end ? per_direction - 1 : 0) &&
+        contact::touches(model.accepted.contacts[contact].results[i].state))
+      return true;
+  }
+  return false;
+}
+
+/// The same of the master: points touch opposite its extension.
+template <int D> bool ends_master(const Model<D>& model, int contact, int element, int direction, bool at_end) {
+  const contact::Formulation<D>& formulation = *model.system.contacts[contact];
+  const contact::History<D>& history = model.accepted.contacts[contact];
+  const contact::Surface<D>* master = formulation.master().surface();
+  if (!master || !(master->extension().lengths[direction][at_end] > 0)) return false;
+  if (elements_to_end(*master, element, direction, at_end) > 2) return false; // one of them is the extension
+  if (!formulation.master().rigid() && is_held(model, *master, direction, at_end)) return false;
+  for (std::size_t i = 0; i < history.results.size(); ++i)
+    if (contact::touches(history.results[i].state) &&
+        elements_to_end(*master, history.points[i].projection.element, direction, at_end) == 0)
+      return true;
+  return false;
+}
+
 } // namespace
 
 template <int D> bool is_peak_at_edge(const Model<D>& model, int contact) {
@@ -44,25 +79,10 @@ template <int D> bool is_peak_at_edge(const Model<D>& model, int contact) {
   const contact::Projection<D>& foot = history.points[place].projection;
   if (foot.foot == contact::Foot::edge || foot.foot == contact::Foot::corner) return true;
 
-  const contact::Surface<D>& slave = formulation.slave();
-  const auto& points = formulation.points().list;
-  const auto touches = [&](int element) {
-    for (std::size_t i = 0; i < points.size(); ++i)
-      if (points[i].element == element && contact::touches(history.results[i].state)) return true;
-    return false;
-  };
-  const contact::Surface<D>* master = formulation.master().surface();
   for (int a = 0; a < D - 1; ++a)
     for (const bool at_end : {false, true}) {
-      const int element = points[place].element;
-      const int away = elements_to_end(slave, element, a, at_end);
-      const int last = away == 1 ? slave.neighbor(element, a, at_end) : element;
-      if (away <= 1 && contact::open_ends(slave, a)[at_end] && touches(last) && !is_held(model, slave, a, at_end))
-        return true;
-      // One more element: the extension of the master.
-      if (!master || !(master->extension().lengths[a][at_end] > 0)) continue;
-      if (elements_to_end(*master, foot.element, a, at_end) > 2) continue;
-      if (formulation.master().rigid() || !is_held(model, *master, a, at_end)) return true;
+      if (ends_slave(model, contact, formulation.points().list[place].element, a, at_end)) return true;
+      if (ends_master(model, contact, foot.element, a, at_end)) return true;
     }
   return false;
 }
