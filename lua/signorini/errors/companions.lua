@@ -139,7 +139,8 @@ end
 --- The changes besides the mesh of a scene with settings { elements, row, penalty, steps, points }.
 local function changes_of(scene, settings, with_row)
   local factors = { points = 2, penalty = 1 / 2, steps = 1 / 2 }
-  local needed = { penalty = remade.has_penalty(scene.model), steps = has_history(scene), row = with_row and not settings.row }
+  local needed = { penalty = remade.has_penalty(scene.model), steps = has_history(scene),
+                   row = with_row and not settings.row }
   local wanted = lists.filter({ "points", "row", "penalty", "steps" }, function(name)
     return #scene.model:contact_names() > 0 and needed[name] ~= false
   end)
