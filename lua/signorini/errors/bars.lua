@@ -2,6 +2,7 @@
 
 local check = require "signorini.call.check"
 local core = require "signorini.core"
+local cut = require("signorini.call.text").cut
 local format_table = require("signorini.output.table").text
 local lists = require "signorini.call.lists"
 local stages = require "signorini.run.stages"
@@ -175,6 +176,7 @@ end
 local most_lines = 16
 
 local doubts = {
+  ["elements cannot be larger"] = "unknown: the bodies have too few elements for companions with larger ones",
   ["no limit"] = "is at a sharp edge, where it grows with each refinement: there is no value that finer meshes reach",
   ["not converging"] = "does not converge with the mesh (±?: the largest difference of three meshes), as at "
     .. "irregular stick–slip or jumps. Hint: consider means over a stage, by measure",
@@ -191,6 +193,19 @@ local function is_telling(run, name)
     if same then most = math.max(most, column.size) end
   end
   return size > rounding * most
+end
+
+--- Sentences about companions that ended early, whose terms are unknown from there on.
+local function failures(run)
+  local texts = {}
+  for _, name in ipairs { "2h", "4h", "row", "points", "penalty", "steps" } do
+    local record = run.companions[name]
+    if record and record.failure then
+      texts[#texts + 1] = ("companion '%s' ended after step %d%s: %s"):format(name, record.rows,
+        name == "2h" and ", the mesh is too coarse to judge" or "", cut(record.failure:match "^[^\n]*", 200))
+    end
+  end
+  return texts
 end
 
 --- The last row as a table { columns, units, rows }, and sentences about it; nil if all bars are unknown, and why.
@@ -211,9 +226,10 @@ function bars.last_row(run)
       rows[i][3 + k] = budget[part] and ("%.2g"):format(100 * budget[part] / column.size) or "unknown"
     end
     rows[i][4 + #used] = budget.to_halve_it or ""
-    if budget.why then notes[#notes + 1] = ("%s: %s"):format(name, doubts[budget.why] or "unknown, " .. budget.why) end
+    if doubts[budget.why] then notes[#notes + 1] = ("%s: %s"):format(name, doubts[budget.why]) end
   end
   if #names > most_lines then notes[#notes + 1] = ("and %d more, see run:budget"):format(#names - most_lines) end
+  notes = lists.joined(notes, failures(run))
   notes[#notes + 1] = "Terms in % of the largest value of the run. Errors are those of the solution of this model; its "
     .. "laws, data and idealization are not included."
   local columns = lists.joined({ "quantity", "value", "error" }, used, { "to halve it" })
