@@ -177,8 +177,8 @@ local most_lines = 16
 
 local doubts = {
   ["elements cannot be larger"] = "unknown: the bodies have too few elements for companions with larger ones",
-  ["no limit"] = "is at a sharp edge, where it grows with each refinement: there is no value that finer meshes reach",
-  ["not converging"] = "does not converge with the mesh (±?: the largest difference of three meshes), as at "
+  ["no limit"] = "at a sharp edge, where it grows with each refinement: there is no value that finer meshes reach",
+  ["not converging"] = "not converging with the mesh (±?: the largest difference of three meshes), as at "
     .. "irregular stick–slip or jumps. Hint: consider means over a stage, by measure",
 }
 
@@ -226,7 +226,10 @@ function bars.last_row(run)
       rows[i][3 + k] = budget[part] and ("%.2g"):format(100 * budget[part] / column.size) or "unknown"
     end
     rows[i][4 + #used] = budget.to_halve_it or ""
-    if doubts[budget.why] then notes[#notes + 1] = ("%s: %s"):format(name, doubts[budget.why]) end
+  end
+  local doubtful = lists.filter(shown, function(name) return doubts[run.errors.columns[name].mesh.why] end)
+  for _, group in ipairs(lists.grouped(doubtful, function(name) return run.errors.columns[name].mesh.why end)) do
+    notes[#notes + 1] = ("%s: %s"):format(table.concat(group, ", "), doubts[group.key])
   end
   if #names > most_lines then notes[#notes + 1] = ("and %d more, see run:budget"):format(#names - most_lines) end
   notes = lists.joined(notes, failures(run))
@@ -234,7 +237,7 @@ function bars.last_row(run)
     .. "laws, data and idealization are not included."
   local columns = lists.joined({ "quantity", "value", "error" }, used, { "to halve it" })
   local units = lists.map(columns, function(_, i) return i > 3 and i < #columns and "%" or "" end)
-  return { columns = columns, units = units, rows = rows }, lists.unique(notes)
+  return { columns = columns, units = units, rows = rows }, notes
 end
 
 --- Lines about the last row, for print(run).
