@@ -11,12 +11,12 @@ local terms = require "signorini.errors.terms"
 
 local bars = {}
 
-local nan = 0 / 0
+local nan = -(0 / 0) -- which prints without a sign
 local accounts = { "step", "increments", "iterations", "wall" }
 local suffix = ".error"
 
 --- The names of the columns of results: those that are not prescribed, counted, or returned by on_step.
-local function result_names(run, model)
+function bars.result_names(run, model)
   local others = lists.joined(accounts)
   for _, name in ipairs(model:driven_names()) do
     for _, component in ipairs(stages.components(model, name)) do
@@ -51,7 +51,7 @@ end
 --- Estimates the error of all results of a run that has ended, and adds a column for each: "grip.fx.error".
 function bars.attach(run, model)
   local counts, columns = lists.map(run.outline, function(stage) return stage.steps end), {}
-  for _, name in ipairs(result_names(run, model)) do
+  for _, name in ipairs(bars.result_names(run, model)) do
     columns[name] = terms.of(name, run:column(name), run.companions, counts, run.used.tolerance)
   end
   mark_edges(model, columns)
@@ -129,6 +129,7 @@ local cures = {
 }
 
 local most_factor = 8 -- by which the advice reduces a single term
+local most_finer = 4 -- elements per direction
 
 --- What halves the sum of the terms, in words: the largest ones, as few as possible, reduced by the same factor.
 local function advice(column, budget, total, given)
@@ -138,7 +139,9 @@ local function advice(column, budget, total, given)
   for count, key in ipairs(list) do
     sum, rest = sum + budget[key], rest - budget[key]
     local left = total / 2 - rest
-    if left > 0 and sum / left <= most_factor or count == #list and left > 0 then
+    local mesh = lists.any({ table.unpack(list, 1, count) }, function(term) return term == "bulk" or term == "row" end)
+    if mesh and left > 0 and (sum / left) ^ (1 / column.mesh.order) > most_finer then return nil end
+    if left > 0 and sum / left <= most_factor then
       return table.concat(lists.map({ table.unpack(list, 1, count) }, function(term)
         return cures[term](sum / left, given, column.mesh.order)
       end), ", ")
@@ -176,21 +179,20 @@ end
 local most_lines = 16
 
 local doubts = {
+  ["one element"] = "a body has one element in a direction: its error there is not contained in the bar",
   ["elements cannot be larger"] = "unknown: the bodies have too few elements for companions with larger ones",
   ["no limit"] = "at a sharp edge, where it grows with each refinement: there is no value that finer meshes reach",
   ["not converging"] = "not converging with the mesh (±?: the largest difference of three meshes), as at "
-    .. "irregular stick–slip or jumps. Hint: consider means over a stage, by measure",
+    .. "irregular stick–slip, jumps, or elements too large for the contact",
 }
 
-local rounding = 1e-9 -- of the largest component of a force: those that are zero but for rounding errors
+local rounding = 1e-9 -- of the largest force: components that are zero but for rounding errors
 
 --- True if a result differs from zero.
-local function is_telling(run, name)
-  local owner, key = name:match "^(.*)%.([^.]*)$"
+function bars.is_telling(run, name)
   local size, most = run.errors.columns[name].size, 0
-  for other, column in pairs(run.errors.columns) do
-    local same = owner and key:find "^f[xyz]$" and other:match "^(.*)%.f[xyz]$" == owner
-    if same then most = math.max(most, column.size) end
+  for other, column in pairs(name:find "%.f[xyz]$" and run.errors.columns or {}) do
+    if other:find "%.f[xyz]$" then most = math.max(most, column.size) end
   end
   return size > rounding * most
 end
@@ -201,8 +203,9 @@ local function failures(run)
   for _, name in ipairs { "2h", "4h", "row", "points", "penalty", "steps" } do
     local record = run.companions[name]
     if record and record.failure then
+      local why = record.reason ~= "error" and record.reason or record.failure:gsub("^[^:]*:%d+: ", "")
       texts[#texts + 1] = ("companion '%s' ended after step %d%s: %s"):format(name, record.rows,
-        name == "2h" and ", the mesh is too coarse to judge" or "", cut(record.failure:match "^[^\n]*", 200))
+        name == "2h" and ", the mesh is too coarse to judge" or "", cut(why, 160))
     end
   end
   return texts
@@ -212,7 +215,7 @@ end
 function bars.last_row(run)
   if run.errors.missing then return nil, "errors are unknown: " .. run.errors.missing end
   local names = lists.filter(run.errors.names, function(name)
-    return not name:find "%.max_penetration$" and is_telling(run, name) -- penetration is an error itself
+    return not name:find "%.max_penetration$" and bars.is_telling(run, name) -- penetration is an error itself
   end)
   local shown, rows, notes = { table.unpack(names, 1, most_lines) }, {}, {}
   local used = lists.filter(parts, function(part)

@@ -4,7 +4,6 @@
 local check = require "signorini.call.check"
 local core = require "signorini.core"
 local counted = require("signorini.call.text").counted
-local history = require "signorini.errors.history"
 local lists = require "signorini.call.lists"
 local progress = require "signorini.run.progress"
 local remade = require "signorini.errors.remade"
@@ -57,16 +56,35 @@ end
 --- What is needed to solve other versions of a scene from its start: { model, list, options, before (earlier runs),
 --- make (a function of the user for other meshes, or nil) }; or nil, and why it cannot be made again. The model has not
 --- begun the path.
-function companions.scene(model, list, options)
-  local before, wanted = history.of(model), type(options.errors) == "table" and options.errors or {}
+function companions.scene(model, list, options, before)
+  local wanted = type(options.errors) == "table" and options.errors or {}
   if core.ranks > 0 then
     core.fail(where .. ": errors: companions run in forked processes, which MPI does not support. Hint: run without "
       .. "mpirun, or without errors")
   end
   local missing = remade.obstacle(model) or not before
-    and "the model's state was not reached by completed runs of this script alone"
+    and "the model's state was not reached by completed runs of this script alone, or its contacts were changed"
   if missing then return nil, missing end
   return { model = model, list = list, options = options, before = before, make = wanted.scene }
+end
+
+--- What the user's function returns for other elements: the model, its stages, and its options, if any.
+local function scene_of_user(scene, elements)
+  local done, model, list, options = pcall(scene.make, { mesh = elements })
+  if not done then error({ text = tostring(model) }, 0) end
+  if core.kind(model) ~= "model" then
+    error({ text = ("%s: errors.scene must return a model and its stages, got %s"):format(where,
+      core.describe(model)) }, 0)
+  end
+  local read
+  done, list, read = pcall(check.call, where, model, list, options)
+  if not done then error({ text = tostring(list) }, 0) end
+  for i, stage in ipairs(scene.list) do
+    if not list[i] or #list ~= #scene.list or list[i].steps ~= stage.steps then
+      error({ text = where .. ": errors.scene must return stages with the steps of the run, which bars compare" }, 0)
+    end
+  end
+  return model, list, options and read or scene.options
 end
 
 --- Makes a scene with changes, see remade.model; `steps`: a factor on the steps of all stages. Returns the model in the
@@ -75,31 +93,33 @@ function companions.made(scene, change)
   local run = require "signorini.run.run"
   local model, list, options, rest = scene.model, scene.list, scene.options, change
   if scene.make and change.elements then
-    model, list, options = scene.make { mesh = change.elements }
-    if core.kind(model) ~= "model" then
-      core.fail(("%s: errors.scene must return a model and its stages, got %s"):format(where, core.describe(model)))
-    end
+    model, list, options = scene_of_user(scene, change.elements)
     rest = lists.merged(change)
     rest.elements = nil
-    list, options = check.call(where, model, list, options)
   end
   model = remade.model(model, rest)
   local before = lists.map(scene.before, function(earlier)
     return { changed_stages(earlier[1], change), changed_options(earlier[2], change) }
   end)
+  local quiet = core.quiet
+  core.quiet = true
   for _, earlier in ipairs(before) do run(model, earlier[1], earlier[2]) end
+  core.quiet = quiet
   return model, changed_stages(list, change), changed_options(options, change), before
 end
 
 --- What companions keep of a run: values by column, rows, steps of the stages, size of the elements, failure, time.
 function companions.record(model, run, list)
-  return { rows = run.rows, values = run.values, failure = run.failure, size = remade.size(model), wall = run.wall,
-           counts = lists.map(list, function(stage) return stage.steps end) }
+  return { rows = run.rows, values = run.values, failure = run.failure, reason = run.reason,
+           size = remade.size(model), wall = run.wall, counts = lists.map(list, function(stage) return stage.steps end) }
 end
 
+--- The record of a version of a scene; { error = text } for an error of the user's function.
 local function solve(scene, change)
   core.mute_warnings(true)
-  local model, list, options = companions.made(scene, change)
+  local done, model, list, options = pcall(companions.made, scene, change)
+  if not done and type(model) == "table" then return { error = model.text } end
+  if not done then error(model, 0) end
   return companions.record(model, require "signorini.run.run"(model, list, options), list)
 end
 
@@ -111,17 +131,21 @@ companions.interrupted = {}
 --- Solves versions of a scene in processes, changes with names; adds their records by name. After Ctrl-C the error is
 --- companions.interrupted.
 function companions.solve_all(scene, changes, records, bar)
+  local wrong
   local whole = core.jobs(#changes, core.at_once, function(k)
     return core.pack(solve(scene, changes[k]))
   end, function(k, text, failure)
     local name = changes[k].name
     records[name] = text and core.unpack(text)
-      or { rows = 0, values = {}, failure = failure:gsub("^failed: ", ""):match "^[^\n]*" }
+      or { rows = 0, values = {}, failure = failure:gsub("^failed: ", ""):match "^[^\n]*", reason = "error" }
+    wrong = wrong or records[name].error
+    if wrong then return end
     bar:step(("companion '%s'"):format(name))
     bar:line(("companion '%s': %s%s"):format(name, counted(records[name].rows, "step"),
-      records[name].failure and ", failed: " .. records[name].failure or ""))
+      records[name].failure and ", ended early: " .. records[name].reason or ""))
   end)
   if not whole then error(companions.interrupted, 0) end
+  if wrong then error(wrong, 0) end
 end
 
 --- True if the results of a path depend on its steps: where contact rubs or bonds break, also in some stages only.
@@ -165,7 +189,7 @@ end
 --- The records of the companions of a scene by name: "2h", "4h", "points", …; size: of the elements of the scene.
 function companions.solve(scene, only_mesh)
   local size, directions = remade.size(scene.model)
-  local records, bar = { size = size }, progress(2)
+  local records, bar = { size = size, single = remade.single(scene.model, 1) }, progress(2)
   companions.solve_all(scene, { { name = "2h", elements = 1 / 2 }, { name = "4h", elements = 1 / 4 } }, records, bar)
   if not only_mesh and records["2h"].rows > 0 then
     -- in solids a richer row takes longer than all others together
@@ -176,8 +200,8 @@ function companions.solve(scene, only_mesh)
 end
 
 --- The records of the companions of a run, or { missing = why there are none, in words }.
-function companions.of_run(model, list, options)
-  local scene, missing = companions.scene(model, list, options)
+function companions.of_run(model, list, options, before)
+  local scene, missing = companions.scene(model, list, options, before)
   if not scene then return { missing = missing } end
   local wanted = options.errors
   local done, records = pcall(companions.solve, scene, wanted == "mesh" or type(wanted) == "table"

@@ -58,6 +58,14 @@ local function check_names(goals, names)
   end
 end
 
+local function check_forces(goals, run)
+  for _, goal in ipairs(goals) do
+    if not run.failed and not bars.is_telling(run, goal.name) then
+      core.fail(("%s: tolerance: '%s' is zero but for rounding errors"):format(goal.from, goal.name))
+    end
+  end
+end
+
 --- The largest entry of a list, infinite if it has fewer than `rows`.
 local function most_of(list, rows)
   local most = #list < rows and math.huge or 0
@@ -150,7 +158,8 @@ end
 
 --- The companions of a level for its mesh, solved unless they have been.
 local function mesh_records(state, settings)
-  local records, missing = { size = remade.size(state.scene.model) / settings.elements }, {}
+  local records, missing = { size = remade.size(state.scene.model) / settings.elements,
+                             single = remade.single(state.scene.model, settings.elements) }, {}
   for name, factor in pairs { ["2h"] = 1 / 2, ["4h"] = 1 / 4 } do
     local other = on_mesh(settings, factor)
     records[name] = state.solved[key_of(other)]
@@ -211,7 +220,10 @@ local function climb(state, goals, refuses, display)
       bars.attach(level.run, level.model)
       needs = needs_of(level.run, goals)
     end
-    level.part, level.work = needs.total, work_of(level)
+    if number == 1 then check_forces(goals, level.run) end
+    -- the error of a body with one element in a direction is unknown
+    level.part, level.work = level.run.companions.single and math.max(needs.total, slack) or needs.total, work_of(level)
+    if level.run.failed then level.part, level.missed = math.huge, "the path ended early: " .. level.run.reason end
     state.levels[number] = { settings = settings_text(settings), part = level.part, wall = level.run.wall,
                              unknowns = #level.model:unknowns(), failed = level.run.failed and level.run.reason or nil }
     display:line(("level %d: %s: error %.3g of the tolerance, %.2f s"):format(number, settings_text(settings),
@@ -229,11 +241,11 @@ end
 --- The last level { model, run, part (error over tolerance), work, settings, missed (why there is no further one), … }
 --- of a scene, and all as { settings, part, wall, unknowns, failed }; or nil, and the message of an error or of Ctrl-C.
 function ladder.solve(model, list, options, goals, refuses, display)
-  local scene, why = companions.scene(model, list, options)
+  local scene, why = companions.scene(model, list, options, history.of(model))
   if not scene then
     return nil, ("%s: tolerance: %s, so that it cannot be solved on other meshes"):format(where, why)
   end
-  if not options.measure then check_names(goals, Run.new(model, {}).names) end -- before anything is solved
+  if not options.measure then check_names(goals, bars.result_names(Run.new(model, {}), model)) end
   local _, directions = remade.size(model)
   local state = { scene = scene, solved = {}, levels = {}, directions = directions,
                   stiffness = stiffest / remade.stiffness(model) }
@@ -253,6 +265,7 @@ end
 
 --- The run of the last level; `model` becomes its model.
 function ladder.run(model, list, options)
+  if options.threads then core.set_threads(options.threads) end
   local goals, display, began, limit = ladder.goals(where, options.tolerance), progress(0), core.now(), options.limit
   local level, levels = ladder.solve(model, list, options, goals, function(last, settings, times)
     local beyond = limit and core.now() - began + times * last.run.wall - limit or 0

@@ -79,6 +79,17 @@ function remade.size(model)
   return sum ^ (-1 / directions), directions
 end
 
+--- The name of a body that has one element in a direction with `factor` times the elements; nil if none has.
+function remade.single(model, factor)
+  local bodies = recipes.of(model).bodies
+  for _, name in ipairs(lists.sorted_names(bodies)) do
+    local elements = recipes.of(bodies[name]).elements
+    for _, list in ipairs(type(elements[1]) == "table" and elements or { elements }) do
+      if lists.any(list, function(n) return math.ceil(factor * n) == 1 end) then return name end
+    end
+  end
+end
+
 -- ── Changes of bodies and contacts ───────────────────────────────────────────────────────────────────────────────────
 
 local changes = {}
@@ -113,6 +124,10 @@ local function is_elastic(law) return law.penalty ~= nil and law.enforcement ~= 
 --- mesh is that of the model.
 local function contact_again(values, law, change)
   local again, factor = lists.merged(values), change.penalty or 1
+  local cohesive = values.cohesive
+  if cohesive and law.law == "bilinear" then
+    again.cohesive = lists.merged(cohesive, { stiffness = cohesive.stiffness or law.stiffness })
+  end
   if change.default_penalty then
     again.penalty = nil
   elseif is_elastic(law) then
@@ -120,7 +135,6 @@ local function contact_again(values, law, change)
     local friction = values.friction
     again.friction = friction and lists.merged(friction, { penalty = friction.penalty and factor * friction.penalty })
   end
-  if (change.points or 1) ~= 1 then again.points = math.min(most_points, math.ceil(change.points * law.points)) end
   return again
 end
 
@@ -156,7 +170,10 @@ function remade.model(model, change)
     bodies[name] = core.sg.body(own)
     swap[body] = bodies[name]
   end
-  for i, single in ipairs(single_bodies(bodies)) do again[i] = single.object end
+  for i, single in ipairs(single_bodies(bodies)) do
+    again[i] = single.object
+    swap[singles[i].object] = single.object
+  end
   local objects = lists.map(singles, function(one) return one.object end)
 
   local function swapped(value)
@@ -175,6 +192,11 @@ function remade.model(model, change)
   for key, value in pairs(values) do scene[key] = key == "bodies" and bodies or swapped(value) end
   for name, contact in pairs(scene.contacts or {}) do
     scene.contacts[name] = contact_again(contact, model:contact_law(name), change)
+  end
+  local made = core.sg.model(scene)
+  if (change.points or 1) == 1 then return made end
+  for name, contact in pairs(scene.contacts or {}) do -- of a richer row they are those of its degree
+    contact.points = math.min(most_points, math.ceil(change.points * made:contact_law(name).points))
   end
   return core.sg.model(scene)
 end

@@ -88,7 +88,7 @@ local function mesh_term(name, own, records, size)
     end
   end
   return { bars = smoothed(d, own, 1 / (ratio ^ (is_peak(name) and order_peak or order) - 1)), order = order,
-           exact = largest(d) <= noise * largest(own) }
+           why = records.single and "one element", exact = largest(d) <= noise * largest(own) }
 end
 
 -- ── Steps ────────────────────────────────────────────────────────────────────────────────────────────────────────────

@@ -217,8 +217,9 @@ step), iteration, residual, energy, reason; returns nothing, "stop", or "cut" to
     { "terms", t.choice { "all", "mesh" }, '"mesh": the error of the mesh alone, from two companions',
       default = "all" },
     { "scene", t.callback_of({ { "q", t.record("mesh", t.number) } }, t.object "model", t.list(t.any), t.or_nil(t.any)),
-      [[function(q) that returns the model, its stages and its options on another mesh, with q.mesh = 1/2 and 1/4 times
-as many elements per direction; for scenes whose positions or penalties a script computes from the mesh]],
+      [[function(q) that returns the model, its stages and its options (those of the run if it returns none) on another
+mesh, with q.mesh times as many elements per direction, 1/2 and 1/4, with tolerance other numbers, too: round the
+elements. For scenes whose positions or penalties a script computes from the mesh]],
       otherwise = "the scene made again from the tables of sg.body and sg.model" },
   }), [[estimates the error of all results, by companions: the same path on the scene with elements two and four times
 as large, and there with half of the steps, half of the penalties, twice the points and a richer row at the contact;
@@ -230,13 +231,17 @@ the error bars of these results are in all steps at most this part of their larg
 The model becomes that of the last level; run.settings tells what was chosen]], optional = true },
   { "limit", t.positive, "time after which no further level is begun", unit = "s", otherwise = "none" },
 }
-local alone = { "on_step", "on_iteration", "checkpoint", "hdf5" }
+local alone = { "on_step", "on_iteration", "checkpoint", "hdf5", "verbose" }
 rows.run.conflict = function(values)
   for _, key in ipairs(values.tolerance and alone or {}) do
     if values[key] then
       return ("%s is for one run, and tolerance solves the path several times: solve it with run.settings again, or "
         .. "remove one of the two"):format(key)
     end
+  end
+  local errors = values.errors
+  if values.tolerance and errors and not (type(errors) == "table" and errors.scene and errors.terms == "all") then
+    return "tolerance needs all error bars anyway: remove errors, unless it gives a scene"
   end
   if values.limit and not values.tolerance then return "limit is for tolerance, which is missing: remove it" end
   if (values.errors or values.tolerance) and values.arc_length then

@@ -104,7 +104,8 @@ local function close(run, model, display, early, record, is_level)
   return run
 end
 
-local function follow(model, list, given)
+--- `before`: the runs that have led to the present state, as far as they are known.
+local function follow(model, list, given, before)
   local path, total = stages.read(model, list, given)
   local options = read_options(model, lists.merged(given), path, total)
   local policy, checkpoints = options.policy, options.checkpoints
@@ -115,7 +116,7 @@ local function follow(model, list, given)
                arc_length = options.arc_length, tolerance = options.solver.tolerance }
   run.companions = run.companions or given.companions
   if options.errors and not run.companions then
-    run.companions = require "signorini.errors.companions".of_run(model, list, given)
+    run.companions = require "signorini.errors.companions".of_run(model, list, given, before)
   end
   local display = progress(total - run.steps, options.verbose)
   if options.states.wants(run.steps) then run:store_state(model, path[place.stage].name) end
@@ -165,7 +166,7 @@ end
 return function(model, list, options)
   if options.tolerance then return require "signorini.errors.ladder".run(model, list, options) end
   local before = history.of(model)
-  local run = follow(model, list, options)
+  local run = follow(model, list, options, before)
   history.note(model, before, list, options, run)
   return run
 end

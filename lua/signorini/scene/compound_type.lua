@@ -2,6 +2,7 @@
 -- first one. Both keep the tables with which they are called.
 
 local core = require "signorini.core"
+local history = require "signorini.errors.history"
 local recipes = require "signorini.scene.recipes"
 
 local Compound = { __name = "compound" }
@@ -57,7 +58,9 @@ return function(sg)
       local several = type(bodies) == "table" and has_compound(bodies)
       local whole = values
       if several and select("#", ...) == 0 then whole = require("signorini.scene.compound").expanded(values) end
-      return recipes.keep(model(whole, ...), values)
+      local made = recipes.keep(model(whole, ...), values)
+      history.begin(made)
+      return made
     end
   end)
 end

@@ -81,7 +81,7 @@ Recommendation.__index = Recommendation
 Recommendation.__name = "recommendation"
 
 local function verdict(search)
-  local total = ("%s, %.2f s in all"):format(counted(#search.tries, "run"), search.spent)
+  local total = ("%s, %.2f s in all"):format(counted(#search.tries, "level"), search.spent)
   if search.interrupted then return ("Stopped by Ctrl-C without a result. %s."):format(total) end
   local wanted, best = table.concat(search.tolerance, ", "), search.best
   if best then

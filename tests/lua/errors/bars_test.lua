@@ -165,9 +165,35 @@ check.case("a companion that fails: unknown from there on, never 0", function()
   check.holds(tostring(run), "unknown")
 end)
 
-check.case("an error in the scene function is the reason that is shown", function()
-  local run = strip{}:run(press, { errors = { scene = function() return 1 end } })
-  check.holds(tostring(run), "errors.scene must return a model")
+check.case("errors of the scene function are errors; without options it has those of the run", function()
+  local function wrong(scene, ...)
+    check.fails(function() strip{}:run(press, { errors = { scene = scene } }) end, ...)
+  end
+  wrong(function() return 1 end, "errors.scene must return a model")
+  wrong(function() return strip{} end, "stages")
+  wrong(function() error "oops" end, "oops")
+  wrong(function() return strip{}, { { steps = 2, grip = -0.1 } } end, "steps of the run")
+  local run = strip{}:run(press, { measure = function(model) return { fy = model:reaction("grip").fy } end,
+    errors = { terms = "mesh", scene = function(q)
+      return strip{ elements = { math.ceil(16 * q.mesh), math.ceil(4 * q.mesh) } }, press
+    end } })
+  check.near(run:error("fy")[4], run:error("grip.fy")[4], 1e-12)
+end)
+
+check.case("changes of contacts before the run: unknown, or repeated with the run that made them", function()
+  local model = strip{ friction = { mu = 0 } }
+  model:set_contact("floor", { friction = { mu = 0.5 } })
+  check.holds(tostring(model:run(press, { errors = "mesh" })), "errors are unknown", "or its contacts were changed")
+  local other = strip{ friction = { mu = 0 } }
+  other:run{ { steps = 1, grip = -0.05, contacts = { floor = { friction = { mu = 0.5 } } } } }
+  local run = other:run({ { steps = 1, grip = -0.1 } }, { errors = "mesh" })
+  if is_nan(run:error("grip.fy")[1]) then error "it has no bar" end
+end)
+
+check.case("a body with one element in a direction: doubtful, with the reason", function()
+  local run = strip{ elements = { 16, 1 } }:run(press, { errors = "mesh" })
+  check.equal(bar(run, "grip.fy").why, "one element")
+  check.holds(tostring(run), "±?", "one element in a direction")
 end)
 
 -- ── Where they appear ────────────────────────────────────────────────────────────────────────────────────────────────

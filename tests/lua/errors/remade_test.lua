@@ -67,6 +67,30 @@ check.case("a richer row is a layer on the faces in contact, or a layer of half 
   if #remade.model(layered, { row = true }):unknowns() <= #layered:unknowns() then error "no more unknowns" end
 end)
 
+check.case("points of a richer row are multiplied from those of its degree", function()
+  local model = sg.scenes.ironing{ order = "N2" }
+  local row = remade.model(model, { row = true }):contact_law("interface").points
+  check.equal(remade.model(model, { row = true, points = 2 }):contact_law("interface").points, 2 * row)
+end)
+
+check.case("the stiffness of bilinear bonds stays where penalties change", function()
+  local model = scenes.model{
+    bodies = { lower = { contact = "north" }, upper = { corner = { 0, 1 }, contact = "south" } },
+    supports = { bed = { on = "lower.south", fix = "xy" }, grip = { on = "upper.north", drive = "y" } },
+    contacts = { seam = { slave = "upper.south", master = "lower.north", penalty = 500,
+                          cohesive = { strength = 1, energy = 0.01, law = "bilinear" } } } }
+  check.equal(remade.model(model, { penalty = 2 }):contact_law("seam").stiffness, 500)
+end)
+
+check.case("loads on a part of a body of several patches are on the part of the new one", function()
+  local square = sg.shapes.rectangle
+  local pair = sg.body{ patch = { square{ width = 1, height = 1 }, square{ width = 1, height = 1, corner = { 1, 0 } } },
+                        elements = { 2, 2 }, order = "N2", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+  local model = sg.model{ bodies = { pair = pair }, supports = { bed = { on = pair:face "1.south", fix = "xy" } },
+    loads = { weight = { on = pair:part(2), force = { 0, -0.01 } } } }
+  check.equal(core.content(remade.model(model, {})), core.content(model))
+end)
+
 check.case("penalties of both directions and points are multiplied", function()
   local model = sg.scenes.ironing{ mu = 0.3 }
   local law, other = model:contact_law "interface", remade.model(model, { penalty = 1 / 2, points = 2 })

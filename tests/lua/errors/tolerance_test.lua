@@ -52,6 +52,13 @@ check.case("a limit of time ends the levels with the best bar, and says what is 
   check.holds(tostring(run), "not reached after 1 level", "more than the limit of 0.001 s allows")
 end)
 
+check.case("a path that ends early has not reached the tolerance", function()
+  local run = ironing():run({ { steps = 1, grip = { 0, -0.95 } } }, sg.plain{ tolerance = "50 % of grip.fy",
+    newton = { iterations = 4 } })
+  check.equal({ run.failed, run.settings.reached }, { true, false })
+  check.holds(run.settings.missed, "the path ended early")
+end)
+
 check.case("multipliers have no term of the penalty", function()
   local strip = scenes.model{ bodies = { block = { size = { 4, 1 }, elements = { 12, 4 }, contact = "south" } },
     supports = { grip = { on = "north", drive = "y", fix = "x" } },
@@ -76,8 +83,14 @@ check.case("wrong input", function()
   wrong({ tolerance = "1 % of grip.fx", limit = 0 }, "limit")
   wrong({ limit = 3 }, "limit is for tolerance")
   wrong({ tolerance = "1 % of grip.fx", on_step = print }, "on_step is for one run")
+  wrong({ tolerance = "1 % of grip.fx", errors = "mesh" }, "tolerance needs all error bars")
   wrong({ tolerance = "1 % of grip.fx", checkpoint = "x.sgn" }, "checkpoint is for one run")
   wrong({ tolerance = "1 % of grip.fx", arc_length = true }, "arc_length")
+  local strip = scenes.model{ bodies = { block = { size = { 4, 1 }, elements = { 16, 4 }, contact = "south" } },
+    supports = { grip = { on = "north", drive = "y", fix = "x" } },
+    contacts = { floor = { slave = "south", penalty = 100, master = scenes.floor() } } }
+  check.fails(function() strip:run({ { steps = 1, grip = -0.1 } }, { tolerance = "1 % of grip.fx" }) end,
+    "'grip.fx' is zero but for rounding errors")
   local file = check.folder() .. "/model.sgn"
   model:save(file)
   check.fails(function() sg.load(file):run(path, { tolerance = "1 % of grip.fx" }) end, "not made by sg.model")
