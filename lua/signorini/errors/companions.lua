@@ -111,7 +111,8 @@ end
 --- What companions keep of a run: values by column, rows, steps of the stages, size of the elements, failure, time.
 function companions.record(model, run, list)
   return { rows = run.rows, values = run.values, failure = run.failure, reason = run.reason,
-           size = remade.size(model), wall = run.wall, counts = lists.map(list, function(stage) return stage.steps end) }
+           size = remade.size(model), wall = run.wall,
+           counts = lists.map(list, function(stage) return stage.steps end) }
 end
 
 --- The record of a version of a scene; { error = text } for an error of the user's function.
