@@ -156,7 +156,7 @@ function bars.budget(run, name, row)
   check.value(t.integer(1, run.rows), row, "run:budget", "step")
   local budget, error = budget_of(column, row), bars.list(run, name)[row]
   budget.value, budget.error, budget.why = run.values[name][row], error, column.mesh.why
-  local known = error == error and error > 0 and not column.mesh.why
+  local known = error == error and error > 0 and (not column.mesh.why or column.mesh.why == "one element")
   budget.to_halve_it = known and advice(column, budget, error, run.errors.settings) or nil
   return budget
 end
