@@ -218,11 +218,12 @@ function bars.last_row(run)
     return not name:find "%.max_penetration$" and bars.is_telling(run, name) -- penetration is an error itself
   end)
   local shown, rows, notes = { table.unpack(names, 1, most_lines) }, {}, {}
+  local budgets = lists.map(shown, function(name) return bars.budget(run, name, run.rows) end)
   local used = lists.filter(parts, function(part)
-    return part ~= "newton" and lists.any(shown, function(name) return bars.budget(run, name, run.rows)[part] end)
+    return part ~= "newton" and lists.any(budgets, function(budget) return budget[part] end)
   end)
   for i, name in ipairs(shown) do
-    local column, budget = run.errors.columns[name], bars.budget(run, name, run.rows)
+    local column, budget = run.errors.columns[name], budgets[i]
     local value, bar = value_text(budget.value, budget.error, budget.why)
     rows[i] = { name, value, bar }
     for k, part in ipairs(used) do

@@ -15,7 +15,7 @@ local where = "model:run"
 -- ── Paths ────────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 --- The steps of a stage times a factor, rounded up; half of a single step is two, which can be compared as well.
-function companions.steps_of(steps, factor)
+local function steps_of(steps, factor)
   if factor == 1 / 2 and steps == 1 then return 2 end
   return math.max(1, math.ceil(factor * steps))
 end
@@ -35,7 +35,7 @@ end
 local function changed_stages(list, change)
   return lists.map(list, function(stage)
     local contacts = change.penalty and stage.contacts and scaled_contacts(stage.contacts, change.penalty)
-    return lists.merged(stage, { steps = companions.steps_of(stage.steps, change.steps or 1), contacts = contacts })
+    return lists.merged(stage, { steps = steps_of(stage.steps, change.steps or 1), contacts = contacts })
   end)
 end
 
@@ -46,7 +46,7 @@ local function changed_options(options, change)
   local all = lists.merged(options, { states = {}, verbose = false })
   for _, key in ipairs(own) do all[key] = nil end
   if all.penalty then
-    all.penalty = lists.merged(all.penalty, { steps = companions.steps_of(all.penalty.steps, change.steps or 1) })
+    all.penalty = lists.merged(all.penalty, { steps = steps_of(all.penalty.steps, change.steps or 1) })
   end
   return all
 end
@@ -108,11 +108,10 @@ function companions.made(scene, change)
   return model, changed_stages(list, change), changed_options(options, change), before
 end
 
---- What companions keep of a run: values by column, rows, steps of the stages, size of the elements, failure, time.
+--- What companions keep of a run: values by column, rows, steps of the stages, size of the elements, failure.
 function companions.record(model, run, list)
   return { rows = run.rows, values = run.values, failure = run.failure, reason = run.reason,
-           size = remade.size(model), wall = run.wall,
-           counts = lists.map(list, function(stage) return stage.steps end) }
+           size = remade.size(model), counts = lists.map(list, function(stage) return stage.steps end) }
 end
 
 --- The record of a version of a scene; { error = text } for an error of the user's function.

@@ -26,8 +26,10 @@ end
 
 --- Notes a run that has ended; `before`: the runs before it. A path that on_step has ended cannot be repeated.
 function history.note(model, before, list, options, run)
-  known[model] = before and run.reason == "completed"
-    and { runs = lists.joined(before, { { list, options } }), state = state_of(model) } or nil
+  known[model] = nil
+  if not before or run.reason ~= "completed" then return end
+  before[#before + 1] = { list, options } -- in place: a script may run a model many thousand times
+  known[model] = { runs = before, state = state_of(model) }
 end
 
 return history

@@ -18,7 +18,7 @@ local format = 1
 --- Fields of a run that are rebuilt or written in another form; all others are saved as they are.
 local apart = { "failed", "reason", "cause", "failure", "recorders", "before", "step", "names", "values", "histories",
                 "extra", "stored_states", "step_column", "increment_column", "iteration_column", "wall_column", "model",
-                "outline", "unexamined" }
+                "outline", "unexamined", "companions" }
 
 --- Calls a file function of the core; its errors become errors of model:run.
 local function call(name, ...) return on_behalf_of(where, "core." .. name, core[name], ...) end
@@ -77,8 +77,9 @@ function Checkpoint:text(model, run, path, place, policy)
   local rest = core.pack { format = format, path = run.outline, place = place, starts = stage.starts or {},
                            fits = stage.fits or {}, memory = policy.memory or {}, names = run.names, record = record,
                            spent = seconds_spent(model, run.before) }
+  if run.companions and not self.companions then self.companions = core.pack(run.companions) end -- they do not change
   return list { rest, grow(self.rows, run.rows, function(i) return row_of(run, i) end),
-                grow(self.histories, #run.histories, function(i) return run.histories[i] end) }
+                grow(self.histories, #run.histories, function(i) return run.histories[i] end), self.companions }
 end
 
 --- A written file survives the process, but only a file on the disk survives a power failure. Waiting for the disk
@@ -114,10 +115,10 @@ local shape = types.tuple({ record("path", list_of(record("name", types.text, "s
     "unstable_law", types.either(types.flag, data), "used?", data, "warnings", list_of(types.text),
     "adaptations", list_of(data), "contact_zones controls fallbacks overlaps places unsettled", data,
     "state_findings?", list_of(record("subject place text", types.text, "from to", count)))),
-  list_of(data), list_of(list_of(attempt)) }, 3)
+  list_of(data), list_of(list_of(attempt)), data }, 3)
 
---- True if unpacked data, state, rows and histories, can be those of a run. The checksum of a file protects against
---- damage alone.
+--- True if unpacked data, state, rows, histories and companions if any, can be those of a run. The checksum of a file
+--- protects against damage alone.
 local function is_record(saved)
   if not pcall(check.value, shape, saved, where, "checkpoint") then return false end
   local run, place, path = saved[1].record, saved[1].place, saved[1].path
@@ -153,7 +154,7 @@ function Checkpoint:read(run)
     core.fail(("%s: '%s' cannot be read as a run: it is damaged, or another version of " ..
       "the program saved it. Hint: name another file, or remove this one to start again"):format(where, self.file))
   end
-  local state, rows, histories = table.unpack(saved)
+  local state, rows, histories, companions = table.unpack(saved)
   local differs = difference(run.outline, state.path)
   if differs then
     core.fail(("%s: '%s' was saved on another path: %s. Hint: name another file, or remove this one to start again")
@@ -164,18 +165,18 @@ function Checkpoint:read(run)
     core.fail(("%s: '%s' holds a run with other columns: it was saved by another version of the program")
       :format(where, self.file))
   end
-  return state, rows, histories
+  return state, rows, histories, companions
 end
 
 --- Restores model, run and policy from the file. Returns the position on the path.
 function Checkpoint:resume_from_file(model, run, path, policy)
-  local state, rows, histories = self:read(run)
+  local state, rows, histories, companions = self:read(run)
   call("restore", model, self.file)
   for key, value in pairs(state.record) do run[key] = value end
   for i, row in ipairs(rows) do
     for j, name in ipairs(run.names) do run.values[name][i] = row[j] or nil end
   end
-  run.histories, run.before = histories, model:timings()
+  run.histories, run.companions, run.before = histories, companions, model:timings()
   for account, seconds in pairs(state.spent) do run.before[account] = run.before[account] - seconds end
   for key in pairs(policy.memory or {}) do
     if state.memory[key] ~= nil then policy.memory[key] = state.memory[key] end

@@ -213,6 +213,15 @@ check.case("columns, files, table; resumed runs have the same bars", function()
   check.equal(again:error("grip.fy")[4], run:error("grip.fy")[4])
 end)
 
+check.case("a run that is continued from the middle of its path keeps the companions of its beginning", function()
+  local options = { errors = "mesh", checkpoint = check.folder() .. "/run.sgn" }
+  strip{}:run(press, lists.merged(options, { on_step = function(info) return info.step == 2 and "stop" or nil end }))
+  local run = strip{}:run(press, lists.merged(options, { resume = true }))
+  local whole = strip{}:run(press, { errors = "mesh" })
+  check.equal(run.rows, 4)
+  check.near(run:error "grip.fy", whole:error "grip.fy", 1e-9)
+end)
+
 check.case("wrong input", function()
   local model = strip{}
   local function wrong(options, ...)
