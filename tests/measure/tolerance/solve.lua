@@ -43,7 +43,7 @@ function solve.with(problem, factors)
   for i, stage in ipairs(path) do
     local own = {}
     for key, value in pairs(stage) do own[key] = value end
-    own.steps = companions.steps_of(stage.steps, factors.steps)
+    own.steps = math.max(1, math.ceil(stage.steps * factors.steps))
     stages[i] = own
   end
   local run = again:run(stages, { verbose = false })
