@@ -128,10 +128,11 @@ end
 -- The error of companions that Ctrl-C has ended.
 companions.interrupted = {}
 
---- Solves versions of a scene in processes, changes with names; adds their records by name. After Ctrl-C the error is
---- companions.interrupted.
-function companions.solve_all(scene, changes, records, bar)
-  local wrong
+--- Solves versions of a scene in processes, changes with names, and adds their records by name. After Ctrl-C the error
+--- is companions.interrupted.
+function companions.solve_all(scene, changes, records)
+  if #changes == 0 then return end
+  local wrong, bar = nil, progress(#changes)
   local whole = core.jobs(#changes, core.at_once, function(k)
     return core.pack(solve(scene, changes[k]))
   end, function(k, text, failure)
@@ -144,6 +145,7 @@ function companions.solve_all(scene, changes, records, bar)
     bar:line(("companion '%s': %s%s"):format(name, counted(records[name].rows, "step"),
       records[name].failure and ", ended early: " .. records[name].reason or ""))
   end)
+  bar:clear()
   if not whole then error(companions.interrupted, 0) end
   if wrong then error(wrong, 0) end
 end
@@ -160,43 +162,47 @@ local function has_history(scene)
   end)
 end
 
---- The changes besides the mesh of a scene with settings { elements, row, penalty, steps, points }.
-local function changes_of(scene, settings, with_row)
+--- The changes besides the mesh, each with `on`: the name of the companion from which alone it differs. That is "2h" for
+--- penalty and steps in the plane, whose terms are the largest; else `coarse`, "4h" unless that has failed.
+local function other_changes(scene, on_mesh, with_row, coarse)
+  local _, directions = remade.size(scene.model)
   local factors = { points = 2, penalty = 1 / 2, steps = 1 / 2 }
   local needed = { penalty = remade.has_penalty(scene.model), steps = has_history(scene),
-                   row = with_row and not settings.row }
-  local wanted = lists.filter({ "points", "row", "penalty", "steps" }, function(name)
+                   row = with_row and not on_mesh(1).row }
+  local names = lists.filter({ "penalty", "steps", "row", "points" }, function(name)
     return #scene.model:contact_names() > 0 and needed[name] ~= false
   end)
-  return lists.map(wanted, function(name)
-    return lists.merged(settings, { name = name,
+  return lists.map(names, function(name)
+    local on = directions == 2 and (name == "penalty" or name == "steps") and "2h" or coarse
+    local settings = on_mesh(on == "2h" and 1 / 2 or 1 / 4)
+    return lists.merged(settings, { name = name, on = on,
                                     [name] = name == "row" or factors[name] * (settings[name] or 1) })
   end)
 end
 
---- Adds the records besides the mesh to those of "2h" and "4h"; `reference`: from which of these they differ.
---- on_mesh(factor): the settings of these two, with so many times the elements. with_row: also with a richer row.
---- Returns the settings of the reference.
-function companions.solve_others(scene, on_mesh, records, with_row)
-  local _, directions = remade.size(scene.model)
-  records.reference = directions == 3 and not records["4h"].failure and "4h" or "2h"
-  local settings = on_mesh(records.reference == "4h" and 1 / 4 or 1 / 2)
-  local changes = changes_of(scene, settings, with_row)
-  companions.solve_all(scene, changes, records, progress(#changes))
-  return settings
-end
-
---- The records of the companions of a scene by name: "2h", "4h", "points", …; size: of the elements of the scene.
-function companions.solve(scene, only_mesh)
-  local size, directions = remade.size(scene.model)
-  local records, bar = { size = size, single = remade.single(scene.model, 1) }, progress(2)
-  companions.solve_all(scene, { { name = "2h", elements = 1 / 2 }, { name = "4h", elements = 1 / 4 } }, records, bar)
-  if not only_mesh and records["2h"].rows > 0 then
-    -- in solids a richer row takes longer than all others together
-    companions.solve_others(scene, function(factor) return { elements = factor } end, records, directions == 2)
+--- Adds what is missing to the records of the companions of a scene by name: "2h", "4h", "penalty", …; on_mesh(factor):
+--- the settings of the scene with so many times the elements. only_mesh: no others than the first two; with_row: also
+--- with a richer row. Records of the others have `base`, that of the companion from which they differ, and `given`, its
+--- value of what differs.
+function companions.solve(scene, on_mesh, records, only_mesh, with_row)
+  local function solve_missing(coarse)
+    local changes = { lists.merged(on_mesh(1 / 2), { name = "2h" }), lists.merged(on_mesh(1 / 4), { name = "4h" }) }
+    local others = only_mesh and {} or other_changes(scene, on_mesh, with_row, coarse)
+    local missing = lists.filter(lists.joined(changes, others), function(change) return not records[change.name] end)
+    companions.solve_all(scene, missing, records)
+    for _, change in ipairs(others) do
+      local record = records[change.name]
+      record.base, record.on = records[change.on], change.on
+      record.given = on_mesh(change.on == "2h" and 1 / 2 or 1 / 4)[change.name] or 1
+    end
   end
-  bar:clear()
-  return records
+  local known = records["4h"]
+  solve_missing(known and known.failure and "2h" or "4h")
+  if only_mesh or known or not records["4h"].failure then return end
+  for name, record in pairs(lists.merged(records)) do
+    if type(record) == "table" and record.on == "4h" then records[name] = nil end
+  end
+  solve_missing "2h"
 end
 
 --- The records of the companions of a run, or { missing = why there are none, in words }.
@@ -204,10 +210,14 @@ function companions.of_run(model, list, options, before)
   local scene, missing = companions.scene(model, list, options, before)
   if not scene then return { missing = missing } end
   local wanted = options.errors
-  local done, records = pcall(companions.solve, scene, wanted == "mesh" or type(wanted) == "table"
-    and wanted.terms == "mesh")
-  if not done and records == companions.interrupted then core.fail(core.interruption()) end
-  if not done then error(records, 0) end
+  local only_mesh = wanted == "mesh" or type(wanted) == "table" and wanted.terms == "mesh"
+  local size, directions = remade.size(model)
+  local records = { size = size, single = remade.single(model, 1) }
+  -- in solids a richer row takes longer than all others together
+  local done, why = pcall(companions.solve, scene, function(factor) return { elements = factor } end, records,
+    only_mesh, directions == 2)
+  if not done and why == companions.interrupted then core.fail(core.interruption()) end
+  if not done then error(why, 0) end
   return records
 end
 

@@ -156,27 +156,25 @@ end
 
 -- ── Levels ───────────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- The companions of a level for its mesh, solved unless they have been.
-local function mesh_records(state, settings)
-  local records, missing = { size = remade.size(state.scene.model) / settings.elements,
-                             single = remade.single(state.scene.model, settings.elements) }, {}
-  for name, factor in pairs { ["2h"] = 1 / 2, ["4h"] = 1 / 4 } do
-    local other = on_mesh(settings, factor)
-    records[name] = state.solved[key_of(other)]
-    if not records[name] then missing[#missing + 1] = lists.merged(other, { name = name }) end
-  end
-  companions.solve_all(state.scene, missing, records, progress(#missing))
-  for _, change in ipairs(missing) do state.solved[key_of(change)] = records[change.name] end
+--- The companions of a level, those for its mesh unless they have been solved.
+local function solved_records(state, settings, with_others)
+  local model, solved = state.scene.model, state.solved
+  local fine, coarse = key_of(on_mesh(settings, 1 / 2)), key_of(on_mesh(settings, 1 / 4))
+  local records = { size = remade.size(model) / settings.elements, single = remade.single(model, settings.elements),
+                    ["2h"] = solved[fine], ["4h"] = solved[coarse] }
+  companions.solve(state.scene, function(factor) return on_mesh(settings, factor) end, records, not with_others, true)
+  solved[fine], solved[coarse] = records["2h"], records["4h"]
   return records
 end
 
 --- The companions of a level for its mesh, and for the rest those of the level for which they were solved last.
 local function records_of(state, settings)
-  local records, last, their = mesh_records(state, settings), state.others, state.measured
-  for key in pairs(others) do records[key] = last[key] end
-  records.row = not settings.row and last.row or nil
-  records.first, records.reference, records.factors = last[last.reference], "first", {}
-  for key, other in pairs(others) do records.factors[key] = (their[key] / settings[key]) ^ other.power end
+  local records, last = solved_records(state, settings, false), state.others
+  records.row, records.factors = not settings.row and last.row or nil, {}
+  for key, other in pairs(others) do
+    records[key] = last[key]
+    records.factors[key] = last[key] and (last[key].given / settings[key]) ^ other.power
+  end
   return records
 end
 
@@ -189,16 +187,6 @@ local function solve(state, settings)
   return { model = model, run = run, list = list, options = options, before = before, settings = settings }
 end
 
---- Solves the companions of given settings besides the mesh.
-local function measure_others(state, settings)
-  local records = mesh_records(state, settings)
-  state.others, state.measured = records, settings
-  if records["2h"].rows == 0 then return end
-  state.measured = companions.solve_others(state.scene, function(factor)
-    return on_mesh(settings, factor)
-  end, records, true)
-end
-
 --- Work that does not depend on the machine: unknowns times iterations.
 local function work_of(level) return #level.model:unknowns() * level.run.iterations end
 
@@ -207,7 +195,7 @@ local function work_of(level) return #level.model:unknowns() * level.run.iterati
 local function climb(state, goals, refuses, display)
   local settings, level = { elements = 1, row = false, penalty = 1, steps = 1, points = 1 }, nil
   local measured_on = 1 -- elements of the level for which the terms besides the mesh were measured
-  measure_others(state, settings)
+  state.others = solved_records(state, settings, true)
   for number = 1, most_levels do
     local last = level
     level = solve(state, settings)
@@ -215,7 +203,7 @@ local function climb(state, goals, refuses, display)
     local needs = needs_of(level.run, goals)
     if needs.total > 1 and is_near(settings, needs) and measured_on < settings.elements then
       measured_on = settings.elements
-      measure_others(state, settings) -- on coarser meshes the terms of penalty and points are larger
+      state.others = solved_records(state, settings, true) -- coarser meshes have larger terms of penalty and points
       level.run.companions = records_of(state, settings)
       bars.attach(level.run, level.model)
       needs = needs_of(level.run, goals)

@@ -150,8 +150,8 @@ local names = { "points", "penalty", "steps" }
 
 --- The term of a companion besides the mesh, over the rows of the run. `order`: of the error on the mesh.
 local function other_term(key, name, records, counts, order)
-  local reference, record = records[records.reference], records[key]
-  local own, other = reference.values[name], record.values[name] or {}
+  local record, reference = records[key], records[key].base
+  local own, other = reference.values[name] or {}, record.values[name] or {}
   local bars = key == "steps" and step_term(own, other, reference.counts, record.counts or {})
     or differences(own, other)
   if key == "points" then
@@ -175,7 +175,7 @@ function terms.of(name, own, records, counts, tolerance)
   end
   local row = records.row
   if row and row.values[name] then
-    column.row = row_share(records[records.reference].values[name], row.values[name], own)
+    column.row = row_share(row.base.values[name] or {}, row.values[name], own)
   end
   column.total = {}
   for i, bar in ipairs(column.mesh.bars) do

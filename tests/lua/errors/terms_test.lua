@@ -11,9 +11,9 @@ local function column(name, steps, value)
     for i = 1, o.n do values[i] = value(i / o.n, o.h, o.n, o.points, o.penalty) end
     return { values = { [name] = values }, size = level, counts = { o.n } }
   end
-  local records = { size = 1, reference = "2h", ["2h"] = record(2), ["4h"] = record(4),
-                    points = record(2, { points = 2 }), penalty = record(2, { penalty = 1 / 2 }),
-                    steps = record(2, { n = (steps + 1) // 2 }) }
+  local records = { size = 1, ["2h"] = record(2), ["4h"] = record(4), points = record(4, { points = 2 }),
+                    penalty = record(2, { penalty = 1 / 2 }), steps = record(2, { n = (steps + 1) // 2 }) }
+  records.points.base, records.penalty.base, records.steps.base = records["4h"], records["2h"], records["2h"]
   return terms.of(name, record(1).values[name], records, { steps }, 1e-8)
 end
 
