@@ -7,8 +7,8 @@
 --          the formulation (Gauss points, mortar with penalty, multipliers), penalties of 30 to 500 E/h or those by
 --          default, 4 to 18 steps. The contact is 3 to 7 elements of twice the size wide (solids: 2). Nothing absurd.
 --          Each scene is solved with errors = true, and once more as the truth: on a mesh two levels finer (solids:
---          one) with a richer row, ten times the penalties, twice the points, and with friction four times the steps
---          (solids: twice).
+--          one) with ten times the penalties, in the plane a richer row and twice the points, and with friction four
+--          times the steps (solids: twice).
 -- Source: chosen here.
 -- Units: all figures are ratios; E of the softer body is 1 and the contact about 0.7 wide.
 -- Expected: |value - truth| <= bar in 90 % of all forces, peak pressures and areas, bar <= 3 |value - truth| in 75 % of
