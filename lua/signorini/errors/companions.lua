@@ -162,7 +162,7 @@ local function has_history(scene)
   end)
 end
 
---- The changes besides the mesh, each with `on`: the name of the companion from which alone it differs. In the plane that
+--- The changes besides the mesh, each with `on`: the name of the companion from which alone it differs. In the plane it
 --- is "2h", but for the row, of which only a share is wanted; else `coarse`, "4h" unless that has failed.
 local function other_changes(scene, on_mesh, with_row, coarse)
   local _, directions = remade.size(scene.model)
