@@ -15,7 +15,7 @@ check.case("every script", function()
   local scripts = lines "cd scripts && grep -l '^-- Run: ' */*.lua"
   check.equal(#scripts > 20, true)
   for _, script in ipairs(scripts) do
-    check.holds(page, "### `" .. script .. "`\n")
+    check.holds(page, "\n| `" .. script .. "` | ")
     check.holds(coarse, "\n" .. script:gsub("%.lua$", "") .. " ")
   end
 end)
