@@ -1,5 +1,5 @@
--- Shows a long text on a terminal by the user's pager, $PAGER or less, as man and git do; elsewhere and in the sandbox it
--- is printed.
+-- Shows a long text on a terminal by the pager of the user, $PAGER or less, as man and git do; elsewhere and in the
+-- sandbox it is printed.
 
 local core = require "signorini.core"
 
