@@ -1,0 +1,30 @@
+-- B9: receding contact of a layer that a line load presses onto a half-plane of the same material.
+
+local expected = { { name = "a/h", value = 1.3240, uncertainty = 0.001, tolerance = 0.01, kind = "closed form" } }
+
+return {
+  name = "B9", title = "Receding contact of a layer", units = "thickness of the layer, Young's modulus",
+  source = "closed form: integral equation of the layer's and the half-plane's compliance, collection/receding.lua; "
+    .. "L. M. Keer, J. Dundurs, K. C. Tsai, J. Appl. Mech. 39, 1972, 1115-1120: about 1.35",
+  formulations = { "gpts", "equal", "equal-multipliers" },
+  set_up = { thickness = 1, width = 12, base = 12, E = 1, nu = 0.3, elements = { 64, 6, 20 } },
+  variants = { { name = "P = 1e-6 E h", load = 1e-6, expected = expected },
+               { name = "P = 1e-4 E h", load = 1e-4, expected = expected } },
+  scene = function(s, variant, tools)
+    local sg, count, e = require "signorini", tools.count, s.elements
+    local material, towards = sg.linear_elastic{ E = s.E, nu = s.nu }, { elements = 0.75, length = 0.15, at = "start" }
+    local layer = sg.body{ patch = sg.shapes.rectangle{ width = s.width, height = s.thickness }, order = "N2",
+                           elements = { count(e[1]), count(e[2]) }, grading = { towards, false }, material = material }
+    local base = sg.body{ patch = sg.shapes.rectangle{ width = s.width, height = s.base, corner = { 0, -s.base } },
+                          elements = { count(e[1]), count(e[3]) }, order = "N2", material = material,
+                          grading = { towards, { elements = 0.6, length = 0.2, at = "end" } } }
+    local model = sg.model{
+      bodies = { layer = layer, base = base },
+      supports = { axis = { on = { layer:face "west", base:face "west" }, fix = "x" },
+                   bed = { on = base:face "south", fix = "xy" } },
+      loads = { push = { on = layer:corner "north-west", force = { 0, 0 } } },
+      contacts = { seam = tools.contact{ slave = layer:face "south", master = base:face "north" } } }
+    return model, { { name = "press", steps = 1, push = { 0, -variant.load * s.E * s.thickness / 2 } } },
+      { columns = { ["a/h"] = "seam.area" } }
+  end,
+}
