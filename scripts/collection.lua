@@ -13,9 +13,11 @@ local sg = require "signorini"
 local rows = require "formulations.rows"
 local solve = require "collection.solve"
 
-local files_of = { B1 = "b1_roller", B2 = "b2_punch", B3 = "b3_pin", B4 = "b4_plate", B7 = "b7_rolling", B8 = "b8_pull_off",
-                   B9 = "b9_receding", B10 = "b10_incline", B11 = "b11_layer",
-                   B12 = "b12_wavy", B13 = "b13_column" }
+local files_of = {
+  B1 = "b1_roller", B2 = "b2_punch", B3 = "b3_pin", B4 = "b4_plate", B5 = "b5_half_ring", B6 = "b6_press_fit",
+  B7 = "b7_rolling", B8 = "b8_pull_off", B9 = "b9_receding", B10 = "b10_incline", B11 = "b11_layer", B12 = "b12_wavy",
+  B13 = "b13_column",
+}
 local names = {}
 for i = 1, 13 do
   if files_of["B" .. i] then names[#names + 1] = "B" .. i end
