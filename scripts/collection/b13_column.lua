@@ -1,8 +1,8 @@
 -- B13: a clamped column between two walls that is shortened: it buckles and touches a wall.
 
 --- Beam theory of small slopes, gap A, P = k²EI, l = L/2. Each half is clamped at its end and touches without a slope:
---- w = c₁ (1 - cos kx) + c₂ (kx - sin kx), w(l) = A, w'(l) = 0, and shortens by ∫ w'²/2 dx. From P = 4 P_E on, where the
---- curvature at the wall vanishes, P remains constant: 1 - cos kx alone is then a solution for each half.
+--- w = c₁ (1 - cos kx) + c₂ (kx - sin kx), w(l) = A, w'(l) = 0, and shortens by ∫ w'²/2 dx. From P = 4 P_E on, where
+--- the curvature at the wall vanishes, P remains constant: 1 - cos kx alone is then a solution for each half.
 local set_up = { length = 100, thickness = 1, gap = 2, E = 1, side = 1e-3, beyond = 0.03, elements = { 60, 2 } }
 local inertia, half = set_up.thickness ^ 3 / 12, set_up.length / 2
 local euler = 4 * math.pi ^ 2 * set_up.E * inertia / set_up.length ^ 2
@@ -24,14 +24,15 @@ end
 
 local variants = {}
 for i, part in ipairs { 2, 3, 4 } do
-  variants[i] = { name = ("P = %g P_E"):format(part), shortening = shortening(part) + (part == 4 and set_up.beyond or 0),
+  variants[i] = { name = ("P = %g P_E"):format(part),
+                  shortening = shortening(part) + (part == 4 and set_up.beyond or 0),
                   expected = { { name = "P/P_E", value = part, tolerance = 0.02, kind = "closed form" } } }
 end
 
 return {
   name = "B13", title = "Column between walls", units = "thickness, Young's modulus",
-  source = "H. Chai, Int. J. Solids Struct. 35, 1998; closed form: beam theory, in the file; a side load of a thousandth "
-    .. "of P_E starts the buckling",
+  source = "H. Chai, Int. J. Solids Struct. 35, 1998; closed form: beam theory, in the file; a side load of a "
+    .. "thousandth of P_E starts the buckling",
   formulations = { "gpts", "equal", "equal-multipliers" }, set_up = set_up, variants = variants,
   scene = function(s, variant, tools)
     local sg = require "signorini"

@@ -14,7 +14,8 @@ local a, p0 = hertz(set_up)
 --- Published values are those of coarse meshes: in linear elasticity Hertz's pressure on the block alone gives u_y =
 --- -1.2806. Hertz's theory leaves out strains of the order p0/E.
 local function expected(uy, syy, frictionless)
-  local list = { { name = "u_y", value = uy, kind = "comparison" }, { name = "σ_yy", value = syy, kind = "comparison" } }
+  local list = { { name = "u_y", value = uy, kind = "comparison" },
+                 { name = "σ_yy", value = syy, kind = "comparison" } }
   if frictionless then
     local strain = p0 / set_up.block.E
     list[3] = { name = "p0", value = p0, uncertainty = strain * p0, tolerance = 0.01, kind = "closed form" }
@@ -38,7 +39,8 @@ return {
     local cylinder = sg.body{ patch = patches, elements = elements, order = "N2",
                               material = sg.linear_elastic{ E = s.cylinder.E, nu = s.nu } }
     local block = sg.body{
-      patch = sg.shapes.rectangle{ width = s.block.width / 2, height = s.block.height, corner = { 0, -s.block.height } },
+      patch = sg.shapes.rectangle{ width = s.block.width / 2, height = s.block.height,
+                                   corner = { 0, -s.block.height } },
       elements = { tools.count(e.block[1]), tools.count(e.block[2]) }, order = "N2",
       grading = { { elements = 0.6, length = 0.12, at = "start" }, { elements = 0.5, length = 0.1, at = "end" } },
       material = sg.linear_elastic{ E = s.block.E, nu = s.nu } }

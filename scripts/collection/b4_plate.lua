@@ -1,5 +1,5 @@
--- B4: a plate that is pressed onto a plane with friction and pushed along it, GRECO. The places of the points A to E are
--- nodes of the meshes there, 1.25 mm apart.
+-- B4: a plate that is pressed onto a plane with friction and pushed along it, GRECO. The points A to E are nodes of the
+-- meshes there, 1.25 mm apart.
 
 local points = { A = 28.6, B = 27.2, C = 22.8, D = 19.8, E = 15.4 }
 local expected = {}
@@ -9,8 +9,8 @@ end
 
 return {
   name = "B4", title = "Plate on a plane with friction", units = "mm, N; u_x in µm",
-  source = "M. Raous et al., in: R. A. Feijóo et al., J. Theor. Appl. Mech., GRECO; Code_Aster V6.04.128 (SSNV128), means "
-    .. "of several programs",
+  source = "R. A. Feijóo, H. J. C. Barbosa, N. Zouain, J. Theor. Appl. Mech.; Code_Aster V6.04.128 (SSNV128), means of "
+    .. "several programs",
   formulations = { "gpts", "equal", "equal-multipliers" },
   set_up = { width = 40, height = 40, E = 130000, nu = 0.2, mu = 1, side = 150, top = 50, elements = { 24, 24 },
              at = { A = 0, B = 1.25, C = 5, D = 7.5, E = 11.25 } },

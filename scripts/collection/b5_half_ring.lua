@@ -1,7 +1,8 @@
 -- B5: a half ring of two layers that is pushed into a soft block and buckles.
 
 --- The data are those of Kratos' files. A ring and a block of these stiffnesses do not deform as in the figures before
---- the ring buckles: there its middle sinks by 6, here by 2. Displacements of its middle, in mm, read from the curve "Reference" of Kratos' figures: ± 0.5 mm.
+--- the ring buckles: there its middle sinks by 6, here by 2. Displacements of its middle, in mm, read from the curve
+--- "Reference" of Kratos' figures: ± 0.5 mm.
 local function expected(at20, at40, at70)
   return { { name = "u_y at 20", value = at20, uncertainty = 0.5, kind = "comparison" },
            { name = "u_y at 40", value = at40, uncertainty = 0.5, kind = "comparison" },
@@ -10,7 +11,8 @@ end
 
 return {
   name = "B5", title = "Half ring pushed into a block", units = "mm, N",
-  source = "K. Poulios, Y. Renard, Comput. Struct. 153, 2015; Kratos, contact_structural_mechanics/validation/double_arch",
+  source = "K. Poulios, Y. Renard, Comput. Struct. 153, 2015; Kratos, contact_structural_mechanics/validation/"
+    .. "double_arch",
   formulations = { "gpts", "equal", "equal-multipliers" },
   variants = { { name = "μ = 0", mu = 0, expected = expected(-5.8, -3.5, 56.3) },
                { name = "μ = 0.5", mu = 0.5, expected = expected(-5.9, -4.25, 10.8) } },
@@ -30,7 +32,8 @@ return {
       elements = { count(e.base[1]), count(e.base[2]) }, order = "N2",
       material = sg.neo_hookean{ E = s.base[3], nu = s.nu } }
     local model = sg.model{
-      bodies = { soft = soft, stiff = stiff, base = base }, joins = { seam = { soft:face "north", stiff:face "south" } },
+      bodies = { soft = soft, stiff = stiff, base = base },
+      joins = { seam = { soft:face "north", stiff:face "south" } },
       supports = { axis = { on = { soft:face "west", stiff:face "west", base:face "west" }, fix = "x" },
                    bed = { on = base:face "south", fix = "xy" },
                    ends = { on = { soft:face "east", stiff:face "east" }, drive = "xy" } },

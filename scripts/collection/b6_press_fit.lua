@@ -9,8 +9,8 @@ return {
   variants = { { name = "μ = 0.1", expected = {
     { name = "largest force", value = 36500, uncertainty = 400, kind = "comparison" },
     { name = "force at the end", value = 25050, uncertainty = 250, kind = "comparison" } } } },
-  set_up = { block = { 450, 200, 1000, 0.47 }, channel = { { 0, 0 }, { 800, 0 }, { 1000, 50 }, { 1900, 50 } }, depth = 250,
-             E = 21000, nu = 0.3, overlap = 1, way = 1000, mu = 0.1, steps = 100,
+  set_up = { block = { 450, 200, 1000, 0.47 }, channel = { { 0, 0 }, { 800, 0 }, { 1000, 50 }, { 1900, 50 } },
+             depth = 250, E = 21000, nu = 0.3, overlap = 1, way = 1000, mu = 0.1, steps = 100,
              elements = { block = { 18, 8 }, channel = { 38, 4 } } },
   scene = function(s, _, tools)
     local sg, count, e, length = require "signorini", tools.count, s.elements, s.channel[4][1]

@@ -2,20 +2,17 @@
 --
 -- A benchmark is a table in a file of its own: name, title, source, units, set_up (geometry, materials, loads as plain
 -- data), variants { name, …, expected } and scene. `expected` lists quantities { name, value, uncertainty, tolerance,
--- kind }: value and uncertainty of the reference, by default exact; tolerance, relative to the value, which the larger
--- one of the benchmark and the formulation must fulfill; kind "closed form", "published" or "comparison", which is shown
--- but not judged. scene(set_up, variant, tools) returns model, path and options of model:run, whose `measure` returns
--- the quantities by name, or a table `columns` with the column of each quantity.
+-- kind }: value and uncertainty of the reference, by default exact; tolerance, relative to the value; kind "closed
+-- form", "published" or "comparison", which is shown but not judged. scene(set_up, variant, tools) returns model, path
+-- and options of model:run, whose `measure` returns the quantities by name, or a table `columns` with their columns.
 
 local rows = require "formulations.rows"
 
 local solve = {}
 
---- What a scene needs besides its data: numbers of elements on another mesh, contacts of the formulation, and the name
---- of the row, to which the scene may adapt what differs.
+--- What a scene needs besides its data: numbers of elements on another mesh, and contacts of the formulation.
 local function tools(formulation, mesh)
   return {
-    formulation = formulation, mesh = mesh,
     count = function(elements) return math.max(1, math.floor(elements * mesh + 0.5)) end,
     contact = function(contact) return rows.contact(rows[formulation], contact) end,
   }
@@ -52,7 +49,7 @@ function solve.case(benchmark, variant, formulation, mesh, errors)
   return result
 end
 
---- The deviation of a value from its reference, and whether it is within tolerance, uncertainty and bar; nil for a
+--- The deviation of a value from its reference, and whether it is at most the sum of tolerance and uncertainty; nil for a
 --- comparison.
 function solve.judge(expected, value)
   local deviation = value - expected.value

@@ -1,5 +1,5 @@
-# Hertz's line contact, the scene of scripts/problems/hertz2d.lua: a quarter of a hollow cylinder, radii 0.1 and 1, E = 1,
-# nu = 0.3, plane strain, pressed by half of the force F = 2e-3 onto a rigid plane. Graded meshes and errors of the
+# Hertz's line contact, the scene of scripts/problems/hertz2d.lua: a quarter of a hollow cylinder, radii 0.1 and 1,
+# E = 1, nu = 0.3, plane strain, pressed by half of the force F = 2e-3 onto a rigid plane. Graded meshes and errors of the
 # pressure, used by getfem/hertz.py and calculix/hertz.py.
 import numpy as np
 

@@ -1,7 +1,7 @@
 # CalculiX 2.20 (Debian 12, calculix-ccx): Hertz's line contact on a rigid plane, see ../hertz_mesh.py. Writes the input
 # file hertz.inp to the present folder, runs ccx on one processor and reads the pressure at the nodes.
-# Run: /usr/bin/python3.11 hertz.py <level 0 …> [element = C3D20R: or C3D8I] [contact = S2S: surface to surface, or N2S:
-# node to surface] [stiffness = 100]
+# Run: /usr/bin/python3.11 hertz.py <level 0 …> [element = C3D8I: or C3D20R] [contact = N2S: node to surface, or S2S:
+# surface to surface] [stiffness = 1000]
 # Prints one line: RESULT name unknowns iterations processor_seconds error_of_pressure error_of_peak
 import os
 import re
@@ -14,9 +14,9 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."
 from hertz_mesh import breaks, errors  # noqa: E402
 
 level = int(sys.argv[1])
-element = sys.argv[2] if len(sys.argv) > 2 else "C3D20R"
-kind = {"S2S": "SURFACE TO SURFACE", "N2S": "NODE TO SURFACE"}[sys.argv[3] if len(sys.argv) > 3 else "S2S"]
-stiffness = float(sys.argv[4]) if len(sys.argv) > 4 else 100.0
+element = sys.argv[2] if len(sys.argv) > 2 else "C3D8I"
+kind = {"S2S": "SURFACE TO SURFACE", "N2S": "NODE TO SURFACE"}[sys.argv[3] if len(sys.argv) > 3 else "N2S"]
+stiffness = float(sys.argv[4]) if len(sys.argv) > 4 else 1000.0
 depth, overlap, quadratic = 0.02, 5e-5, "20" in element
 phi, s = breaks(level)
 n, m = len(phi) - 1, len(s) - 1

@@ -1,6 +1,6 @@
 # GetFEM 5.4.2 (Debian 12, python3-getfem): block ironing in space without friction, the scene of
-# scripts/problems/block_ironing3d.lua: a cube of edge 4, E = 10, is pressed by 1 into a slab of 20 x 10 x 10, E = 1, and
-# dragged 12.5 along; neo-Hookean, nu = 0.3. Q2 displacements, Q1 multipliers, augmented Lagrangian, raytracing.
+# scripts/problems/block_ironing3d.lua: a cube of edge 4, E = 10, is pressed by 1 into a slab of 20 x 10 x 10, E = 1,
+# and dragged 12.5 along; neo-Hookean, nu = 0.3. Q2 displacements, Q1 multipliers, augmented Lagrangian, raytracing.
 # Run: /usr/bin/python3.11 block_ironing3d.py <refinement> <steps of the slide> [slave = block: or slab]
 # Prints one line: RESULT name unknowns iterations processor_seconds Rz oscillation%
 import sys
