@@ -49,8 +49,8 @@ function solve.case(benchmark, variant, formulation, mesh, errors)
   return result
 end
 
---- The deviation of a value from its reference, and whether it is at most the sum of tolerance and uncertainty; nil for a
---- comparison.
+--- The deviation of a value from its reference, and whether it is at most the sum of tolerance and uncertainty; nil for
+--- a comparison.
 function solve.judge(expected, value)
   local deviation = value - expected.value
   if expected.kind == "comparison" then return deviation end

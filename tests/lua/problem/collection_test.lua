@@ -58,5 +58,6 @@ check.case("files", function()
 end)
 
 check.case("wrong arguments", function()
-  check.refused("collection", { ["benchmarks=B14"] = "B14", ["mesh=0"] = "mesh must be", ["formulations=x"] = "got 'x'" })
+  check.refused("collection", { ["benchmarks=B14"] = "B14", ["mesh=0"] = "mesh must be",
+    ["formulations=x"] = "got 'x'" })
 end)
