@@ -17,12 +17,10 @@
 --          The thesis gives neither the starting position of the block nor the number of steps: x = 3.75 (for a
 --          symmetric path), 10 and 125 steps are chosen here. Failed steps are halved; the table gives the step at
 --          which equal steps would have ended.
---          variant=sixty: the path in 10 + 50 steps, half model, line search by energy; compares cost and force with
---          two other programs.
+--          variant=sixty: the path in 10 + 50 steps, half model, line search by energy: cost and force.
 -- Source: V. Agrawal, An Accurate and Efficient Varying Order NURBS Discretization Method for Isogeometric Analysis of
 --         Contact Problems, PhD thesis, IIT Guwahati, 2020, section 6.4.1, Figures 6.8 and 6.9, after L. De Lorenzis,
---         P. Wriggers, G. Zavarise, Comput. Mech. 49 (2012) 1-20. User times of FEBio and GetFEM: measured for this
---         project. Plain Newton, as published; failed steps are cut.
+--         P. Wriggers, G. Zavarise, Comput. Mech. 49 (2012) 1-20. Plain Newton, as published; failed steps are cut.
 -- Units: any consistent units; the thesis gives none.
 -- Expected: all seven discretizations complete in equal steps. Pz = 5.726 after pressing and 6.288 on average over the
 --           drag for N2; averages 6.231 (N3), 6.262 (N4), 6.237 (N2-N3), 6.273 (N2-N4), 5.893 (N2-N2.1), 5.804

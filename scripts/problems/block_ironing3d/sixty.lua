@@ -1,5 +1,4 @@
--- The path in 60 steps, 10 for pressing and 50 for sliding, with published times of two other programs: cost and
--- pressing force by discretization and mesh.
+-- The path in 60 steps, 10 for pressing and 50 for sliding: cost and pressing force by discretization and mesh.
 
 local sg = require "signorini"
 local meshes = require "problems.solid_ironing.mesh"
@@ -8,58 +7,32 @@ local study = require "problems.solid_ironing.study"
 
 local sixty = {}
 
---- User times in seconds of the other programs, and the range of their mean pressing force during the drag.
-sixty.febio, sixty.getfem, sixty.range = 13.6, 61, { 5.75, 5.85 }
-
 local press, slide = 10, 50
 
 local function result_table(cases)
   local rows = {}
   for i, case in ipairs(cases) do
     local run, drag = case.run, case.drag or {}
-    local inside = drag.mean and drag.mean >= sixty.range[1] and drag.mean <= sixty.range[2]
     rows[i] = { case.order, case.block_order or case.order, case.layer, case.mesh.name, case.part,
                 case.thickness_degree, case.points or "3(p+1)", case.tolerance, case.dofs.total,
                 run.iterations, run.cutbacks, run.failed and run.reason or "complete", case.user, case.pressed,
-                drag.mean, drag.low, drag.high, drag.mean and (inside and "yes" or "no"), case.user / sixty.febio,
-                case.user / sixty.getfem }
+                drag.mean, drag.low, drag.high }
   end
   return sg.table{
     columns = { "order", "block", "layer", "mesh", "part", "thickness_degree", "points", "tolerance", "DOFs",
-                "iterations", "cut-backs", "end", "user", "Pz", "Pz", "Pz", "Pz", "5.75-5.85", "user", "user" },
-    units = { "", "", "", "", "", "degree", "", "", "", "", "", "", "s", "pressed", "mean", "least", "greatest", "",
-              "of FEBio's", "of GetFEM's" }, rows = rows,
+                "iterations", "cut-backs", "end", "user", "Pz", "Pz", "Pz", "Pz" },
+    units = { "", "", "", "", "", "degree", "", "", "", "", "", "", "s", "pressed", "mean", "least", "greatest" },
+    rows = rows,
     formats = { "%s", "%s", "%s", "%s", "%s", "%d", "%s", "%g", "%d", "%d", "%d", "%s", "%.2f", "%.3f", "%.3f", "%.3f",
-                "%.3f", "%s", "%.3f", "%.3f" },
+                "%.3f" },
   }
-end
-
---- The case of least user time whose mean force lies in the range, or nil.
-function sixty.cheapest(cases)
-  local best
-  for _, case in ipairs(cases) do
-    local mean = case.drag and case.drag.mean
-    if mean and mean >= sixty.range[1] and mean <= sixty.range[2] and (not best or case.user < best.user) then
-      best = case
-    end
-  end
-  return best
-end
-
---- The sentence on the cheapest case, or that there is none.
-function sixty.verdict(case)
-  if not case then return ("no case lies within %g to %g"):format(table.unpack(sixty.range)) end
-  local order = case.block_order and ("%s, block %s,"):format(case.order, case.block_order) or case.order
-  return ("cheapest within %g to %g: %s at %s, thickness degree %d, %.2f s: 1/%.1f of FEBio's, 1/%.1f of GetFEM's")
-    :format(sixty.range[1], sixty.range[2], order, case.mesh.name, case.thickness_degree, case.user,
-      sixty.febio / case.user, sixty.getfem / case.user)
 end
 
 local function csv(file, cases)
   local data = { columns = { "order", "block_order", "layer", "mesh", "part", "thickness_degree", "points", "tolerance",
                              "dofs", "iterations", "cutbacks", "user",
                              "pressed", "drag_mean", "drag_low", "drag_high" },
-                 comments = { ("user time in s; FEBio %g, GetFEM %g"):format(sixty.febio, sixty.getfem) }, rows = {} }
+                 comments = { "user time in s" }, rows = {} }
   for i, case in ipairs(cases) do
     local drag = case.drag or {}
     data.rows[i] = { case.order, case.block_order or case.order, case.layer, case.mesh.name, case.part,
@@ -71,7 +44,7 @@ end
 
 --- Runs all combinations of the lists orders, block_order ("same" as the slab's, or one), layer ("whole" or "below" the
 --- block's path), mesh, part ("half" or "whole"), thickness_degree, points (texts: a number or "auto", 3(p + 1)),
---- tolerance. Returns { cases, cheapest }.
+--- tolerance. Returns { cases }.
 function sixty.run(problem, options, files)
   local cases = sg.grid({ mesh = options.mesh }, { part = options.part },
                         { thickness_degree = options.thickness_degree },
@@ -97,12 +70,9 @@ function sixty.run(problem, options, files)
         case.user))
     print(case.run)
   end
-  print(("\n%d + %d steps; pressing force at full depth and during sliding; user time compared with FEBio's %g s ")
-    :format(press, slide, sixty.febio) .. ("and GetFEM's %g s"):format(sixty.getfem))
+  print(("\n%d + %d steps; pressing force at full depth and during sliding"):format(press, slide))
   print(result_table(cases))
   csv(files "sixty.csv", cases)
-  local cheapest = sixty.cheapest(cases)
-  print(sixty.verdict(cheapest))
   files:draw("sixty.png", "a step of the sliding", function(file)
     local named = {}
     for i, case in ipairs(cases) do
@@ -113,10 +83,9 @@ function sixty.run(problem, options, files)
     end
     return output.draw_force(file, named, "Pz", {
       title = "Block ironing in 60 steps: pressing force", ylabel = "Pz",
-      hlines = { { sixty.range[1], "5.75" }, { sixty.range[2], "5.85" } },
     })
   end)
-  return { cases = cases, cheapest = cheapest }
+  return { cases = cases }
 end
 
 return sixty

@@ -36,8 +36,7 @@ check.case("charts, states, a table and a file per order", function()
   check.equal(#study.files, 2 + 1 + 5)
 end)
 
-check.case("sixty steps: user times compared with other programs, the cheapest case in the range", function()
-  local sixty = require "problems.block_ironing3d.sixty"
+check.case("sixty steps: cases, half models", function()
   local both, place = run_study("variant=sixty", "mesh=2x2x1/4x2x1", "orders=N2", "thickness_degree=1,2", "part=whole",
     "line_search=none")
   check.equal(#both.cases, 2)
@@ -47,11 +46,6 @@ check.case("sixty steps: user times compared with other programs, the cheapest c
   end
   check.near(both.cases[1].pressed, study.cases.N2.pressed, 1e-7)
   assert(both.cases[2].drag.mean < both.cases[1].drag.mean, "more functions are softer")
-  check.equal(both.cheapest, nil) -- both are too stiff
-  local function case(mean, user) return { drag = mean and { mean = mean }, user = user } end
-  check.equal(sixty.cheapest{ case(5.9, 1), case(5.8, 3), case(5.76, 2), case(5.7, 1), case(nil, 0) }.user, 2)
-  check.equal(sixty.verdict{ order = "N2", mesh = { name = "4x4x2" }, thickness_degree = 2, user = 1.25 },
-    "cheapest within 5.75 to 5.85: N2 at 4x4x2, thickness degree 2, 1.25 s: 1/10.9 of FEBio's, 1/48.8 of GetFEM's")
   local halved = run_study("variant=sixty", "mesh=2x4x1/4x4x1", "orders=N2")
   local whole = run_study("variant=sixty", "mesh=2x4x1/4x4x1", "orders=N2", "part=whole")
   -- What is mirrored may have a crease in the plane of symmetry, which C¹ across forbids: it is softer by a little.
@@ -62,7 +56,7 @@ check.case("sixty steps: user times compared with other programs, the cheapest c
   check.equal(sg.csv.read(place .. "/sixty.csv"):column "thickness_degree", { 1, 2 })
 end)
 
-check.case("sixty steps: a layer on the slab alone, below the block's path, within FEBio's range", function()
+check.case("sixty steps: a layer on the slab alone, below the block's path", function()
   local study, place = run_study("variant=sixty", "mesh=2x2x1/8x4x2", "orders=N2-N2.1", "block_order=N2", "layer=below",
     "thickness_degree=2", "points=3", "tolerance=1e-6")
   local cases = study.cases

@@ -1,0 +1,61 @@
+-- B1: a steel cylinder on an aluminum block, NAFEMS contact benchmark 1.
+
+--- Half-width and peak pressure of Hertz's line contact.
+local function hertz(s)
+  local modulus = 1 / ((1 - s.nu ^ 2) * (1 / s.cylinder.E + 1 / s.block.E))
+  local a = math.sqrt(4 * s.force * s.cylinder.radius / (math.pi * modulus))
+  return a, 2 * s.force / (math.pi * a)
+end
+
+local set_up = { cylinder = { radius = 50, E = 210000 }, block = { width = 200, height = 200, E = 70000 }, nu = 0.3,
+                 force = 35000, elements = { along = 30, depth = 10, block = { 36, 16 } } }
+local a, p0 = hertz(set_up)
+
+--- Published values are those of coarse meshes: in linear elasticity Hertz's pressure on the block alone gives u_y =
+--- -1.2806. Hertz's theory leaves out strains of the order p0/E.
+local function expected(uy, syy, frictionless)
+  local list = { { name = "u_y", value = uy, kind = "comparison" },
+                 { name = "σ_yy", value = syy, kind = "comparison" } }
+  if frictionless then
+    local strain = p0 / set_up.block.E
+    list[3] = { name = "p0", value = p0, uncertainty = strain * p0, tolerance = 0.01, kind = "closed form" }
+    list[4] = { name = "a", value = a, uncertainty = strain * a, tolerance = 0.01, kind = "closed form" }
+  end
+  return list
+end
+
+return {
+  name = "B1", title = "Cylinder roller", units = "mm, N",
+  source = "A. Konter, Advanced finite element contact benchmarks, NAFEMS R0094, 2006, 1; Code_Aster V6.03.154 "
+    .. "(SSNP154), quadratic elements with μ = 0.1, linear ones with μ = 0; Hertz",
+  formulations = { "gpts", "equal", "equal-multipliers" }, set_up = set_up,
+  variants = { { name = "μ = 0", mu = 0, expected = expected(-1.30690, -3800.5, true) },
+               { name = "μ = 0.1", mu = 0.1, expected = expected(-1.302690, -3541.8) } },
+  scene = function(s, variant, tools)
+    local sg, half_disc = require "signorini", require "collection.half_disc"
+    -- The cylinder starts 0.01 mm too low, so that the first iteration finds points in contact.
+    local R, e = s.cylinder.radius, s.elements
+    local patches, elements = half_disc(R, { 0, R - 0.01 }, tools.count(e.along), tools.count(e.depth))
+    local cylinder = sg.body{ patch = patches, elements = elements, order = "N2",
+                              material = sg.linear_elastic{ E = s.cylinder.E, nu = s.nu } }
+    local block = sg.body{
+      patch = sg.shapes.rectangle{ width = s.block.width / 2, height = s.block.height,
+                                   corner = { 0, -s.block.height } },
+      elements = { tools.count(e.block[1]), tools.count(e.block[2]) }, order = "N2",
+      grading = { { elements = 0.6, length = 0.12, at = "start" }, { elements = 0.5, length = 0.1, at = "end" } },
+      material = sg.linear_elastic{ E = s.block.E, nu = s.nu } }
+    local axis = { block:face "west" }
+    for _, name in ipairs { "1.west", "4.east", "5.west", "6.west" } do axis[#axis + 1] = cylinder:face(name) end
+    local model = sg.model{
+      bodies = { cylinder = cylinder, block = block },
+      supports = { axis = { on = axis, fix = "x" }, bed = { on = block:face "south", fix = "xy" } },
+      loads = { push = { on = cylinder:corner "4.south-east", force = { 0, 0 } } },
+      contacts = { foot = tools.contact{ slave = block:face "north", master = cylinder:face "1.south",
+                                         friction = variant.mu > 0 and { mu = variant.mu } or nil } } }
+    return model, { { name = "press", steps = 5, push = { 0, -s.force / 2 } } }, {
+      columns = { a = "foot.area", p0 = "foot.max_pressure" },
+      measure = function(now)
+        return { u_y = now:sample("block", "uy", { 0, 1 }), ["σ_yy"] = now:sample("block", "syy", { 0, 1 }) }
+      end }
+  end,
+}
