@@ -104,14 +104,14 @@ end
 
 -- ── Tables ───────────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- "N2-N2.2, mortar equal m2 (1.2·10⁵, 0.45 s)", the case of least time whose error is within a limit.
+--- Name, work and time of the case of least time whose error is within a limit.
 local function cheapest(result, error, limit)
   local best
   for _, row in ipairs(result.chosen.rows) do
     if not row.failed and row[error] and row[error] <= limit and not (best and best.cpu <= row.cpu) then best = row end
   end
-  return best and ("%s %s"):format(label(best), best.mesh) or false, best and best.work or false,
-    best and best.cpu or false
+  if not best then return "none", "–", "–" end
+  return ("%s %s"):format(label(best), best.mesh), best.work, best.cpu
 end
 
 local function cheapest_rows()

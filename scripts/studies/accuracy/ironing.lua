@@ -61,5 +61,8 @@ ironing.series = {
 ironing.reference = { order = "N2-N2.2", setting = "multipliers", mesh = "m4" }
 ironing.checks = { { order = "N2-N2.2", setting = "multipliers", mesh = "m3" },
                    { order = "N2-N2.2", setting = "penalty × 100", mesh = "m4" } }
+ironing.base = { order = "N2-N2.2", setting = "default", mesh = "m2" }
+ironing.levers = { "rigid body", "m1", "m3", "N2", "N3", "N2-N2.1", "local layer", "thickness degree 1", "mortar equal",
+                   "multipliers", "penalty / 10", "penalty × 10", "half the steps" }
 
 return ironing

@@ -34,9 +34,12 @@ peeling.series = {
   { "following layer", "N2-N2.2" },
 }
 peeling.affordable = function(order, mesh) return mesh ~= "m2" or order ~= "N3" and order ~= "L2" end
-peeling.once = { m2 = true }
+peeling.once = { m1 = true, m2 = true }
 peeling.reference = { order = "N2-N2.2", setting = "default", mesh = "m3" }
 peeling.checks = { { order = "N2-N2.2", setting = "default", mesh = "m2" },
                    { order = "N2-N2.1", setting = "twice the steps", mesh = "m2" } }
+peeling.base = { order = "N2-N2.2", setting = "default", mesh = "m0" }
+peeling.levers = { "longer strip", "m1", "N2", "N3", "N2-N2.1", "following layer", "thickness degree 1",
+                   "half the steps" }
 
 return peeling

@@ -20,7 +20,7 @@ local settings = {
   ["whole model"]         = { whole = true },
   ["plane model"]         = { plane = true },
   ["solid model"]         = { solid = true },
-  ["short strip"]         = { short = true },
+  ["longer strip"]        = { long = true },
   ["projected volume"]    = { volumetric = "projected" },
   ["half the steps"]      = { coarser = 2 },
   ["steps × 4"]           = { coarser = 4 },

@@ -64,7 +64,7 @@ end
 --- problem in `rounds` rounds; once(case): those that are run in the first one only. The reference and its checks are
 --- run once, first. Returns { problem, study, cases (of medians, with errors), reference (its row), bar (%) }.
 function study.of(problem, cases, rounds, out, once)
-  local list = {}
+  local list, scene = {}, problem.scene
   local function add(round, case)
     list[#list + 1] = { round = round, order = case.order, setting = case.setting, mesh = case.mesh,
                         way = case.way or "" }
@@ -83,7 +83,7 @@ function study.of(problem, cases, rounds, out, once)
     cases = { list }, units = { force = problem.unit, cpu = "s" },
     run = function(case)
       local plain, coarser = case.way == "plain Newton" or nil, case.way == "steps × 4" and 4 or nil
-      return solve(problem, { order = case.order, setting = case.setting, mesh = case.mesh, plain = plain,
+      return solve(scene, { order = case.order, setting = case.setting, mesh = case.mesh, plain = plain,
                               coarser = coarser })
     end,
   }
