@@ -18,10 +18,11 @@
 --         Contact Problems, PhD thesis, IIT Guwahati, 2020, sections 7.1 to 7.5, whose claims of equal accuracy are
 --         checked.
 -- Units: times in s of one processor; errors in %; work is Newton iterations times unknowns.
--- Expected: see share/doc/speed_against_accuracy.md. About ten minutes on one processor.
+-- Expected: see share/doc/evidence/speed_against_accuracy.md. About ten minutes on one processor.
 -- Run: signorini studies/speed_against_accuracy.lua [problems=ironing,hertz,rings,peeling,ironing3d] [meshes=all]
 --      [rounds=3] [out=out/speed_against_accuracy] [page=none]; meshes: of the problems; rounds: runs of each case, for
---      the median of the time; page: folder of the page, such as share/doc. Finished cases are kept in `out`.
+--      the median of the time; page: folder of the page, such as share/doc/evidence.
+--      Finished cases are kept in `out`.
 
 local sg = require "signorini"
 local page = require "studies.accuracy.page"

@@ -7,7 +7,7 @@ local settings = require "studies.accuracy.settings"
 local half_width = problem.hertz(2 * problem.half_load * problem.outer)
 
 local hertz = {
-  name = "hertz", title = "Hertz's line contact", page = "problems/hertz2d.md", unit = "N/mm",
+  name = "hertz", title = "Hertz's line contact", unit = "N/mm",
   force = "pressing force", second = { "pressure", "L_2 error of the pressure (% of the peak)" },
 }
 

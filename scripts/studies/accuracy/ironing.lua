@@ -9,7 +9,7 @@ local settings = require "studies.accuracy.settings"
 local press, slide, window = 46, 119, 64 / 119 -- steps; the window begins at this part of the slide
 
 local ironing = {
-  name = "ironing", title = "Ironing with friction", page = "problems/ironing2d.md", unit = "N/mm",
+  name = "ironing", title = "Ironing with friction", unit = "N/mm",
   force = "drag", second = { "oscillation", "oscillation of the drag (% of its mean)" },
 }
 

@@ -10,7 +10,7 @@ local settings = require "studies.accuracy.settings"
 local window, slide, press, depth, radius, reach = 100 / 9, 54, 14, 5.4, 7.5, 7.5
 
 local ironing3d = {
-  name = "ironing3d", title = "Ironing in 3D", page = "problems/ironing3d.md", unit = "N",
+  name = "ironing3d", title = "Ironing in 3D", unit = "N",
   force = "pressing force", second = { "oscillation", "oscillation of both forces (% of the mean pressing force)" },
 }
 

@@ -7,7 +7,7 @@ local problem = require "problems.peeling2d.problem"
 local settings = require "studies.accuracy.settings"
 
 local peeling = {
-  name = "peeling", title = "Peeling", page = "problems/peeling2d.md", unit = "E_0 L_0^3",
+  name = "peeling", title = "Peeling", unit = "E_0 L_0^3",
   force = "moment", second = { "oscillation", "oscillation of the moment (% of its mean)" },
 }
 

@@ -4,7 +4,7 @@ local sg = require "signorini"
 local settings = require "studies.accuracy.settings"
 
 local rings = {
-  name = "rings", title = "Two rings", page = "problems/rings2d.md", unit = "N/m",
+  name = "rings", title = "Two rings", unit = "N/m",
   force = "pressing force", second = { "pressure", "L_2 error of the pressure (% of the peak)" },
 }
 

@@ -8,7 +8,7 @@ local folder = check.folder()
 
 -- ── Pages and the files from which they are made ─────────────────────────────────────────────────────────────────────
 
-for _, name in ipairs { "speed_against_accuracy", "decide/which_model" } do
+for _, name in ipairs { "evidence/speed_against_accuracy", "decide/which_model" } do
   local base = ("%s/share/doc/%s"):format(core.home, name)
   check.case(name .. ".md has the figures of " .. name .. ".json", function()
     local text = core.read_file(base .. ".md")

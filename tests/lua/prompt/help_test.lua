@@ -1,5 +1,5 @@
 -- Help: every public name has a page, and heads list the arguments that functions take, their examples run, and
--- share/doc/reference.md contains all pages; terms of other programs lead to pages.
+-- share/doc/reference/reference.md contains all pages; terms of other programs lead to pages.
 
 require "check"
 local examples_of = require("signorini.prompt.help.page_text").examples
@@ -202,8 +202,8 @@ check.case("terms of other programs lead to pages, none of which has the term as
     "Scripts with 'mortar':", "  model:save(path) ")
 end)
 
-check.case("share/doc/reference.md agrees with the pages", function()
-  if core.read_file(core.home .. "/share/doc/reference.md") ~= require "signorini.prompt.help.markdown"() then
-    error "share/doc/reference.md is not what the help pages say: run scripts/reference"
+check.case("share/doc/reference/reference.md agrees with the pages", function()
+  if core.read_file(core.home .. "/share/doc/reference/reference.md") ~= require "signorini.prompt.help.markdown"() then
+    error "share/doc/reference/reference.md is not what the help pages say: run scripts/reference"
   end
 end)

@@ -1,4 +1,4 @@
--- All help pages as one Markdown page, share/doc/reference.md; scripts/reference writes it.
+-- All help pages as one Markdown page, share/doc/reference/reference.md; scripts/reference writes it.
 
 local examples_of = require("signorini.prompt.help.page_text").examples
 local page_text = require("signorini.prompt.help.page_text").whole

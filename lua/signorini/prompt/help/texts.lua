@@ -49,7 +49,7 @@ Notebooks: signorini --install-kernel makes this program a kernel of Jupyter, wh
   Tab, Shift-Tab          complete names and arguments, show the help page at the cursor
   interrupt               stops a run after the current iteration; _ is the run so far
   local x                 belongs to its cell; omit `local` for variables of the notebook
-See share/doc/notebook.md.]],
+See share/doc/use/notebook.md.]],
   examples = [[
 The examples use this scene, which can be typed or copied to the prompt:
 
