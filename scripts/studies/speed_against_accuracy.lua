@@ -48,10 +48,11 @@ end
 
 local options = sg.arguments{
   problems = { names, choices = names },
-  meshes = { { "all" }, check = is_mesh, expected = "all, or meshes that one of the problems has" }, rounds = { 3, at_least = 1 },
-  out = "out/speed_against_accuracy", page = "none",
+  meshes = { { "all" }, check = is_mesh, expected = "all, or meshes that one of the problems has" },
+  rounds = { 3, at_least = 1 }, out = "out/speed_against_accuracy", page = "none",
 }
 local files, base = sg.files(options.out), options.page .. "/speed_against_accuracy"
+if options.page ~= "none" then sg.mkdir(base) end
 
 -- ── Measuring ────────────────────────────────────────────────────────────────────────────────────────────────────────
 
@@ -59,8 +60,8 @@ local files, base = sg.files(options.out), options.page .. "/speed_against_accur
 local function cases_of(problem)
   local list, affordable = {}, problem.affordable or function() return true end
   for _, mesh in ipairs(problem.meshes) do
-    for _, row in ipairs(options.meshes[1] == "all" and problem.series or holds(options.meshes, mesh) and problem.series
-      or {}) do
+    local wanted = options.meshes[1] == "all" or holds(options.meshes, mesh)
+    for _, row in ipairs(wanted and problem.series or {}) do
       for i = 2, #row do
         if affordable(row[i], mesh, row[1]) then list[#list + 1] = { order = row[i], setting = row[1], mesh = mesh } end
       end

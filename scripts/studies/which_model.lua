@@ -49,10 +49,10 @@ local kind_of = {
 
 --- The case of a lever: a mesh such as m1, a discretization such as N2, or a setting.
 local function case_of(base, lever)
-  local case = { order = base.order, setting = base.setting, mesh = base.mesh, lever = lever, kind = kind_of[lever] or 1 }
-  if lever:match "^m%d$" then case.mesh = lever
-  elseif lever:match "^[NL]%d" then case.order, case.kind = lever, 3
-  elseif lever ~= "base" then case.setting = lever end
+  local case = { order = base.order, setting = base.setting, mesh = base.mesh, lever = lever,
+                 kind = lever:match "^[NL]%d" and 3 or kind_of[lever] or 1 }
+  local key = lever:match "^m%d$" and "mesh" or lever:match "^[NL]%d" and "order" or "setting"
+  if lever ~= "base" then case[key] = lever end
   return case
 end
 
@@ -166,20 +166,23 @@ local function lever_rows()
   local list, seen, rows = {}, {}, {}
   for _, result in ipairs(results) do
     for _, case in ipairs(result.levers) do
-      local name = case.kind == 1 and case.lever ~= "base" and "other mesh " .. case.lever or case.lever
-      if not seen[name] then seen[name], list[#list + 1] = true, { name, case.kind, case.lever } end
+      local name = case.lever
+      if name:match "^m%d$" then name = name < result.problem.base.mesh and "coarser mesh" or "finer mesh" end
+      if not seen[name] then
+        seen[name] = { name = name, kind = case.kind, of = {} }
+        list[#list + 1] = seen[name]
+      end
+      seen[name].of[result] = case
     end
   end
-  for i, entry in ipairs(list) do entry[4] = i end
-  table.sort(list, function(a, b)
-    if (a[3] == "base") ~= (b[3] == "base") then return a[3] == "base" end
-    return a[2] < b[2] or a[2] == b[2] and a[4] < b[4]
-  end)
   for i, entry in ipairs(list) do
-    rows[i] = { entry[1] }
-    for k, result in ipairs(results) do
-      rows[i][k + 1] = text_of(lever_of(result, entry[3]), lever_of(result, "base"))
-    end
+    entry.place = i
+    if entry.name == "base" then entry.kind = 0 end
+  end
+  table.sort(list, function(a, b) return a.kind < b.kind or a.kind == b.kind and a.place < b.place end)
+  for i, entry in ipairs(list) do
+    rows[i] = { entry.name }
+    for k, result in ipairs(results) do rows[i][k + 1] = text_of(entry.of[result], lever_of(result, "base")) end
   end
   return rows
 end

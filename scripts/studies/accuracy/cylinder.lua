@@ -1,5 +1,5 @@
--- Ironing in space with friction: a stiff half pipe across a slab of the same width, with free sides, is pressed into it
--- and slides over the length of two elements of m1. By symmetry half of both; the plane model has the same width.
+-- Ironing in space with friction: a stiff half pipe across a slab of the same width, with free sides, is pressed into
+-- it and slides over the length of two elements of m1. By symmetry half of both; the plane model has the same width.
 
 local sg = require "signorini"
 local force = require "studies.accuracy.force"
@@ -24,11 +24,11 @@ function cylinder.scene(o)
   local below, above = o.plane and "south" or "front", o.plane and "north" or "back"
   local slab = body(sg.shapes.rectangle{ width = 1.5, height = 0.6 },
     sg.shapes.block{ size = { 1.5, 1 / half, 0.6 } }, { 8, 3 }, 2, above, soft)
-  local contact, grip, bodies = { master = slab:face(above), mu = 0.2 }, nil, { slab = slab }
+  local contact, bodies, grip = { master = slab:face(above), mu = 0.2 }, { slab = slab }, nil
   local mirror = { slab:face "north" }
   if o.rigid then
-    contact = { slave = slab:face(above), mu = 0.2, master = sg.rigid.cylinder{
-      center = o.plane and { 0.56, 1.1 } or { 0.56, 0, 1.1 }, axis = not o.plane and { 0, 1, 0 } or nil, radius = 0.5 } }
+    contact.slave, contact.master = slab:face(above), sg.rigid.cylinder{
+      center = o.plane and { 0.56, 1.1 } or { 0.56, 0, 1.1 }, axis = not o.plane and { 0, 1, 0 } or nil, radius = 0.5 }
     grip = { on = contact.master, drive = o.plane and "xy" or "xz" }
   else
     bodies.die = body(sg.shapes.half_annulus{ inner = 0.4, outer = 0.5, center = { 0.56, 1.1 } },

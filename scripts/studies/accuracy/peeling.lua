@@ -20,7 +20,9 @@ function peeling.scene(o)
       local angles, moments, inside = run:column "edge.angle", run:column "edge.moment", {}
       local whole = run:column "step"
       for i, value in ipairs(angles) do
-        if value > 36 and whole[i] == math.floor(whole[i]) then inside[#inside + 1] = moments[i] / problem.moment_unit end
+        if value > 36 and whole[i] == math.floor(whole[i]) then
+          inside[#inside + 1] = moments[i] / problem.moment_unit
+        end
       end
       local mean, oscillation = force.mean_and_oscillation(inside)
       return { force = mean, oscillation = 100 * oscillation / math.abs(mean) }
@@ -34,10 +36,10 @@ peeling.series = {
   { "following layer", "N2-N2.2" },
 }
 peeling.affordable = function(order, mesh) return mesh ~= "m2" or order ~= "N3" and order ~= "L2" end
-peeling.once = { m1 = true, m2 = true }
+peeling.once = { m0 = true, m1 = true, m2 = true }
 peeling.reference = { order = "N2-N2.2", setting = "default", mesh = "m3" }
 peeling.checks = { { order = "N2-N2.2", setting = "default", mesh = "m2" },
-                   { order = "N2-N2.1", setting = "twice the steps", mesh = "m2" } }
+                   { order = "N2-N2.1", setting = "default", mesh = "m2" } }
 peeling.base = { order = "N2-N2.2", setting = "default", mesh = "m0" }
 peeling.levers = { "longer strip", "m1", "N2", "N3", "N2-N2.1", "following layer", "thickness degree 1",
                    "half the steps" }

@@ -44,6 +44,7 @@ rings.series = {
   { "default", "L1", "L2", "N2", "N3", "N2-N2.1", "N2-N2.2" }, { "published", "N2", "N2-N2.2" },
   { "mortar equal", "N2-N2.2" }, { "multipliers", "N2", "N2-N2.2" },
 }
+rings.once = { m1 = true, m2 = true, m3 = true }
 rings.reference = { order = "N2-N2.2", setting = "multipliers", mesh = "m4" }
 rings.checks = { { order = "N2-N2.2", setting = "multipliers", mesh = "m3" },
                  { order = "N2-N2.2", setting = "penalty × 100", mesh = "m4" } }
