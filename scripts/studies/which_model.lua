@@ -14,7 +14,7 @@
 -- Expected: see share/doc/decide/which_model.md. About four minutes on one processor.
 -- Run: signorini studies/which_model.lua [problems=ironing,cylinder,sphere,peeling,o_ring,pin] [rounds=3]
 --      [levers=all] [out=out/which_model] [page=none]; levers: all, or a list of names; rounds: runs of the models, for
---      the median of the time; page: folder of the page, such as share/doc/decide. Finished cases are kept in `out`.
+--      the least time; page: folder of the page, such as share/doc/decide. Finished cases are kept in `out`.
 
 local sg = require "signorini"
 local page = require "studies.accuracy.page"
@@ -107,7 +107,7 @@ local function draw(result, legend)
   local times = { math.huge, 0 }
   for _, case in ipairs(result.levers) do
     if case.row then
-      times[1], times[2] = math.min(times[1], case.row.cpu), math.max(times[2], case.row.cpu)
+      times[1], times[2] = math.min(times[1], case.row.cpu_low), math.max(times[2], case.row.cpu_low)
     end
   end
   local chart = { log = "xy", title = problem.title, xlabel = "processor time (s)",
@@ -118,7 +118,7 @@ local function draw(result, legend)
                     marker = plain and kinds[kind][2] or "open " .. kinds[kind][2] }
     for _, case in ipairs(result.levers) do
       if case.row and case.kind == kind and case.plain == plain and (color == 7) == (case.lever == "base") then
-        curve.x[#curve.x + 1], curve.y[#curve.y + 1] = case.row.cpu, math.max(least, case.row.error)
+        curve.x[#curve.x + 1], curve.y[#curve.y + 1] = case.row.cpu_low, math.max(least, case.row.error)
       end
     end
     if #curve.x == 0 and label then curve.x, curve.y = { 0 / 0 }, { 0 / 0 } end
@@ -152,13 +152,14 @@ end
 
 -- ── Tables ───────────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- "0.35 / 1.2 / 0.8×", with an asterisk if steps × 4, and a dagger if plain Newton fails.
+--- "0.35 / 1.2 / 0.8": error, oscillation and time over that of the base, both the least of the rounds, which other
+--- work on the machine affects least; with an asterisk if steps × 4, and a dagger if plain Newton fails.
 local function text_of(case, base)
   if not case then return "–" end
   local row = case.row
   if not row then return "fails" end
   local function short(value) return value and ("%.2g"):format(value) or "–" end
-  return ("%s / %s / %s%s%s"):format(short(row.error), short(row.oscillation), short(row.cpu / base.row.cpu),
+  return ("%s / %s / %s%s%s"):format(short(row.error), short(row.oscillation), short(row.cpu_low / base.row.cpu_low),
     case.long and "" or " *", case.plain and "" or " †")
 end
 
@@ -192,12 +193,12 @@ for k, result in ipairs(results) do
   heads[k + 1] = result.problem.title
   local base, reference = lever_of(result, "base"), result.problem.reference
   base_rows[k] = { result.problem.title, ("%s %s"):format(base.order, base.mesh), base.row.unknowns, base.row.work,
-                   base.row.cpu, ("%.3g to %.3g"):format(base.row.cpu_low, base.row.cpu_high),
+                   base.row.cpu_low, ("%.3g, %.3g"):format(base.row.cpu, base.row.cpu_high),
                    ("%s %s"):format(reference.order, reference.mesh), result.bar }
 end
 local tables = {
   { name = "levers", columns = heads, rows = lever_rows() },
-  { name = "base", columns = { "problem", "base model", "unknowns", "work", "time (s)", "range (s)", "reference",
+  { name = "base", columns = { "problem", "base model", "unknowns", "work", "time (s)", "median, longest (s)", "reference",
                                "± (%)" }, rows = base_rows },
 }
 for _, tabled in ipairs(tables) do print(("\n%s"):format(sg.table{ columns = tabled.columns, rows = tabled.rows })) end

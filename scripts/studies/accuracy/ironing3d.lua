@@ -46,16 +46,16 @@ end
 
 ironing3d.meshes = { "sparse", "coarse" }
 ironing3d.series = {
-  { "default", "N2", "N2-N2.1", "N2-N2.2" }, { "published", "N2" }, { "multipliers", "N2" },
-  { "local layer", "N2-N2.2" },
+  { "default", "N2", "N3", "N2-N2.1", "N2-N2.2" }, { "published", "N2", "N2-N2.1" }, { "mortar equal", "N2-N2.1" },
+  { "multipliers", "N2", "N2-N2.1" }, { "local layer", "N2-N2.2" },
 }
 ironing3d.affordable = function(order, mesh, setting)
-  return mesh == "sparse" or order ~= "N2-N2.2" or setting == "local layer"
+  return mesh == "sparse" or order == "N2" or setting == "default" and order == "N2-N2.1" or setting == "local layer"
 end
 ironing3d.once = { sparse = true, coarse = true }
 -- Without friction the steps do not matter, so those of the reference are long.
-ironing3d.reference = { order = "N2", setting = "multipliers + steps × 4", mesh = "middle" }
-ironing3d.checks = { { order = "N2", setting = "multipliers", mesh = "coarse" },
+ironing3d.reference = { order = "N2-N2.1", setting = "multipliers + steps × 4", mesh = "middle" }
+ironing3d.checks = { { order = "N2", setting = "multipliers + steps × 4", mesh = "middle" },
                      { order = "N2-N2.1", setting = "multipliers + steps × 4", mesh = "coarse" } }
 
 return ironing3d
