@@ -114,8 +114,8 @@ end
 
 -- ── Tables ───────────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- "N2 m1: 41, 0.12 s": name, work in thousands and time of the case of least time whose error is within a limit, as are
---- those on the finer meshes: errors of mesh, penalty and thickness degree that cancel on one mesh do not count.
+--- "N2 m1: 41, 0.12 s": name, work in thousands and time of the case of least time whose error is within a limit, as
+--- are those on the finer meshes: errors of mesh, penalty and thickness degree that cancel on one mesh do not count.
 local function cheapest(result, error, limit)
   local best
   for _, row in ipairs(result.chosen.rows) do

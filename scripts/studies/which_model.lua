@@ -206,7 +206,8 @@ local tables = {
 }
 for _, tabled in ipairs(tables) do print(("\n%s"):format(sg.table{ columns = tabled.columns, rows = tabled.rows })) end
 if options.page ~= "none" then
-  local data = { script = "scripts/studies/which_model.lua", made = page.made(results), tables = tables, problems = {} }
+  local data = { script = "scripts/studies/which_model.lua", made = page.made(results), tables = tables,
+                 problems = {} }
   for i, result in ipairs(results) do data.problems[i] = page.cases(result) end
   page.write(base_name, data)
 end

@@ -24,8 +24,8 @@ function cylinder.scene(o)
   local below, above = o.plane and "south" or "front", o.plane and "north" or "back"
   local slab = body(sg.shapes.rectangle{ width = 1.5, height = 0.6 },
     sg.shapes.block{ size = { 1.5, 1 / half, 0.6 } }, { 8, 3 }, 2, above, soft)
-  local contact, bodies, grip = { master = slab:face(above), mu = 0.2 }, { slab = slab }, nil
-  local mirror = { slab:face "north" }
+  local contact, bodies = { master = slab:face(above), mu = 0.2 }, { slab = slab }
+  local mirror, grip = { slab:face "north" }
   if o.rigid then
     contact.slave, contact.master = slab:face(above), sg.rigid.cylinder{
       center = o.plane and { 0.56, 1.1 } or { 0.56, 0, 1.1 }, axis = not o.plane and { 0, 1, 0 } or nil, radius = 0.5 }

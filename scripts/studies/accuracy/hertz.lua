@@ -1,6 +1,7 @@
 -- Hertz's line contact under a given displacement (hertz2d.lua): the force, and the L₂ error of the pressure.
 
 local sg = require "signorini"
+local force = require "studies.accuracy.force"
 local problem = require "problems.hertz2d.problem"
 local settings = require "studies.accuracy.settings"
 
@@ -33,19 +34,12 @@ function hertz.scene(o)
       problem.penalties.displacement) },
   }
   return model, { { name = "press", steps = settings.steps(o, 10), grip = -problem.push_down } }, function(run)
-    local profile = model:profile "ground"
     return { force = 2 * math.abs(run:column "grip.fy"[run.steps]), -- of both halves
-             profile = { x = profile.x, pressure = profile.pressure, gap = profile.gap } }
+             profile = force.profile(model, "ground") }
   end
 end
 
---- The L₂ error of p/max p_ref over x/a_ref.
-function hertz.pressure(row, reference)
-  local width = sg.profile_edges{ profile = reference.profile }.to
-  return 100 * sg.profile_error{ profile = row.profile, reference = reference.profile, normalize = "max",
-                                 coordinate = function(point) return point.x / width end }
-end
-
+hertz.pressure = force.pressure_error
 hertz.meshes = { "m1", "m2", "m3", "m4" }
 hertz.series = {
   { "default", "L1", "L2", "N2", "N3", "N2-N2.1", "N2-N2.2" }, { "published", "L1", "N2", "N2-N2.2" },

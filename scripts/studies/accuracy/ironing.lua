@@ -21,7 +21,7 @@ function ironing.scene(o)
     -- where the die touches from the first step to the last
     layer = o.place and { 0.12, 0.62 }, layer_knots = o.knots,
   }
-  local grip, slave, master, bodies = nil, nil, nil, { slab = slab }
+  local bodies, grip, slave, master = { slab = slab }
   if o.rigid then
     slave, master = slab:face "north", sg.rigid.cylinder{ center = { set_up.start, 1.5 }, radius = 0.5 }
     grip = { on = master, drive = "xy" }

@@ -1,5 +1,5 @@
--- A page's JSON file, from which its tables are made: page.json next to page.md holds { script, made, tables = a list of
--- { name, columns, rows } } and the cases. A table's text replaces what stands in the page between the lines
+-- A page's JSON file, from which its tables are made: page.json next to page.md holds { script, made, tables = a list
+-- of { name, columns, rows } } and the cases. A table's text replaces what stands in the page between the lines
 -- "<!-- table: name -->" and "<!-- end -->".
 
 local sg = require "signorini"

@@ -1,7 +1,6 @@
 -- Peeling of an adhesive strip (peeling2d.lua), of which 50 of 60 nm are bonded, to 47°: the steady moment from 36° on.
 -- Plain Newton goes on with arc length where the prescribed rotation fails.
 
-local sg = require "signorini"
 local force = require "studies.accuracy.force"
 local problem = require "problems.peeling2d.problem"
 local settings = require "studies.accuracy.settings"
@@ -12,7 +11,7 @@ local peeling = {
 }
 
 function peeling.scene(o)
-  local model = problem.scene(o.order, o.mesh, o.long and 120 or 60, o.long and 110 or 50, 
+  local model = problem.scene(o.order, o.mesh, o.long and 120 or 60, o.long and 110 or 50,
     o.thickness_degree or math.tointeger(o.order:match "%d"))
   local angle = 47
   return model, { { name = "rotate", steps = settings.steps(o, angle / problem.pitch), edge = angle } },

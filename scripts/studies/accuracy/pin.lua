@@ -16,7 +16,7 @@ function pin.scene(o)
     }
   end
   local plate = ring(1.01, 2, 10, "north", 1)
-  local bodies, contact, grip, cut = { plate = plate }, nil, nil, { plate:face "west" }
+  local bodies, cut, contact, grip = { plate = plate }, { plate:face "west" }
   if o.rigid then
     contact = { slave = plate:face "north", master = sg.rigid.cylinder{ center = { 0, 0 }, radius = 1 } }
     grip = { on = contact.master, drive = "y" }

@@ -1,6 +1,7 @@
 -- Two elastic rings that are pressed together (rings2d.lua): the force, and the L₂ error of the pressure.
 
 local sg = require "signorini"
+local force = require "studies.accuracy.force"
 local settings = require "studies.accuracy.settings"
 
 local rings = {
@@ -27,18 +28,12 @@ function rings.scene(o)
       100) },
   }
   return model, { { name = "press", steps = settings.steps(o, 40), grip = -4 } }, function(run)
-    local profile = model:profile "interface"
     return { force = 2 * math.abs(run:column "grip.fy"[run.steps]),
-             profile = { x = profile.x, pressure = profile.pressure, gap = profile.gap } }
+             profile = force.profile(model, "interface") }
   end
 end
 
-function rings.pressure(row, reference)
-  local width = sg.profile_edges{ profile = reference.profile }.to
-  return 100 * sg.profile_error{ profile = row.profile, reference = reference.profile, normalize = "max",
-                                 coordinate = function(point) return point.x / width end }
-end
-
+rings.pressure = force.pressure_error
 rings.meshes = { "m1", "m2", "m3" }
 rings.series = {
   { "default", "L1", "L2", "N2", "N3", "N2-N2.1", "N2-N2.2" }, { "published", "N2", "N2-N2.2" },

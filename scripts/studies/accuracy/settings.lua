@@ -24,7 +24,6 @@ local settings = {
   ["projected volume"]    = { volumetric = "projected" },
   ["half the steps"]      = { coarser = 2 },
   ["steps × 4"]           = { coarser = 4 },
-  ["twice the steps"]     = { coarser = 0.5 },
 }
 
 --- The options of a case { order, mesh, setting, coarser, plain }; names of settings can be joined: "rigid body +
