@@ -201,8 +201,8 @@ for k, result in ipairs(results) do
 end
 local tables = {
   { name = "levers", columns = heads, rows = lever_rows() },
-  { name = "base", columns = { "problem", "base model", "unknowns", "work", "time (s)", "median, longest (s)", "reference",
-                               "± (%)" }, rows = base_rows },
+  { name = "base", columns = { "problem", "base model", "unknowns", "work", "time (s)", "median, longest (s)",
+    "reference", "± (%)" }, rows = base_rows },
 }
 for _, tabled in ipairs(tables) do print(("\n%s"):format(sg.table{ columns = tabled.columns, rows = tabled.rows })) end
 if options.page ~= "none" then
