@@ -71,7 +71,7 @@ local function measured(problem)
     if wanted(lever) then chosen[#chosen + 1] = case_of(problem.base, lever) end
   end
   for _, case in ipairs(chosen) do
-    for _, way in ipairs{ "", "steps × 4", "plain Newton" } do
+    for _, way in ipairs(case.kind == 6 and { "", "plain Newton" } or { "", "steps × 4", "plain Newton" }) do
       cases[#cases + 1] = { order = case.order, setting = case.setting, mesh = case.mesh, way = way }
     end
   end
@@ -84,7 +84,8 @@ local function measured(problem)
       return study.find(result.cases.rows,
         { order = case.order, setting = case.setting, mesh = case.mesh, way = way })
     end
-    case.row, case.long, case.plain = converged "", converged "steps × 4" ~= nil, converged "plain Newton" ~= nil
+    case.row, case.plain = converged "", converged "plain Newton" ~= nil
+    case.long = case.kind == 6 or converged "steps × 4" ~= nil
   end
   result.levers = chosen
   return result
