@@ -1,9 +1,9 @@
 -- Cases of a problem as a study: executed, medians of the rounds taken, errors measured against the reference.
 --
 -- A problem has name, title, unit; scene(options) as solve.lua calls it, whose results are `force` and those of
--- second = { column, title }; reference { order, setting, mesh } and checks, a list of other cases: the largest difference of
--- their forces from that of the reference, a third of it with another mesh, is its error bar. A problem with a function
--- <column>(row, reference) gets this column from it.
+-- second = { column, title }; reference { order, setting, mesh } and checks, a list of other cases: the largest
+-- difference of their forces from that of the reference, a third of it with another mesh, is its error bar. A problem
+-- with a function <column>(row, reference) gets this column from it.
 
 local sg = require "signorini"
 local solve = require "studies.accuracy.solve"
