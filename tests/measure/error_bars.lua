@@ -7,14 +7,14 @@
 --          the formulation (Gauss points, mortar with penalty, multipliers), penalties of 30 to 500 E/h or those by
 --          default, 4 to 18 steps. The contact is 3 to 7 elements of twice the size wide (solids: 2). Nothing absurd.
 --          Each scene is solved with errors = true, and once more as the truth: on a mesh two levels finer (solids:
---          one) with a richer row, ten times the penalties, twice the points, and with friction four times the steps
---          (solids: twice).
+--          one) with ten times the penalties, in the plane a richer row and twice the points, and with friction four
+--          times the steps (solids: twice).
 -- Source: chosen here.
 -- Units: all figures are ratios; E of the softer body is 1 and the contact about 0.7 wide.
 -- Expected: |value - truth| <= bar in 90 % of all forces, peak pressures and areas, bar <= 3 |value - truth| in 75 % of
 --           the forces and half of the others. The second is counted step by step, where even the bar of an error
 --           that oscillates, its amplitude, is narrow enough in 78 %, and in root mean squares over the path (rms).
---           Even seeds have 92, 89 and 91 % inside; narrow enough are 53, 32 and 69 % of steps, 74, 36 and 81 % of
+--           Even seeds have 91, 90 and 92 % inside; narrow enough are 54, 30 and 66 % of steps, 71, 35 and 78 % of
 --           paths. The punch, with the pressure of sharp edges, is counted apart: its peaks have no limit.
 -- Run: signorini tests/measure/error_bars.lua [first=1] [count=200] [seeds=all] [levels=2] [jobs=2] [limit=300]
 --      [out=out/error_bars]; first, count: seeds; seeds: all, odd or even ones of them; levels: of refinement of the

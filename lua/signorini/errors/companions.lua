@@ -162,8 +162,8 @@ local function has_history(scene)
   end)
 end
 
---- The changes besides the mesh, each with `on`: the name of the companion from which alone it differs. That is "2h" for
---- penalty and steps in the plane, whose terms are the largest; else `coarse`, "4h" unless that has failed.
+--- The changes besides the mesh, each with `on`: the name of the companion from which alone it differs. In the plane it
+--- is "2h", but for the row, of which only a share is wanted; else `coarse`, "4h" unless that has failed.
 local function other_changes(scene, on_mesh, with_row, coarse)
   local _, directions = remade.size(scene.model)
   local factors = { points = 2, penalty = 1 / 2, steps = 1 / 2 }
@@ -173,7 +173,7 @@ local function other_changes(scene, on_mesh, with_row, coarse)
     return #scene.model:contact_names() > 0 and needed[name] ~= false
   end)
   return lists.map(names, function(name)
-    local on = directions == 2 and (name == "penalty" or name == "steps") and "2h" or coarse
+    local on = directions == 2 and name ~= "row" and "2h" or coarse
     local settings = on_mesh(on == "2h" and 1 / 2 or 1 / 4)
     return lists.merged(settings, { name = name, on = on,
                                     [name] = name == "row" or factors[name] * (settings[name] or 1) })

@@ -17,10 +17,12 @@ local function compared(values)
   return chosen
 end
 
---- The results of a scene with `factor` times the elements per direction at the end of each of `list`'s steps, with a
---- richer row, ten times the penalties, twice the points, and with friction, whose history depends on them, more steps.
-local function accurate(model, list, friction, factor)
-  local finer = remade.model(model, { elements = factor, row = true, penalty = 10, points = 2 })
+--- The results of a scene with `factor` times the elements per direction at the end of each of `list`'s steps, with ten
+--- times the penalties, in the plane a richer row and twice the points, and with friction, whose history depends on
+--- them, more steps.
+local function accurate(model, list, what, factor)
+  local plane, friction = what.kind ~= "solid", what.friction
+  local finer = remade.model(model, { elements = factor, row = plane, penalty = 10, points = plane and 2 or 1 })
   local times = friction and factor or 1
   local path = lists.map(list, function(stage) return lists.merged(stage, { steps = times * stage.steps }) end)
   local run = finer:run(path, { states = {} })
@@ -46,7 +48,7 @@ return function(seed, levels)
   local row = lists.merged(what, { values = compared(run.values), records = records, failure = run.failure,
     counts = lists.map(list, function(stage) return stage.steps end), tolerance = run.used.tolerance,
     edge = core.is_peak_at_edge(model, "c"), wall = core.now() - began })
-  row.truth, row.truth_failure = accurate(scenes.make(seed), list, what.friction, factor)
+  row.truth, row.truth_failure = accurate(scenes.make(seed), list, what, factor)
   row.truth_wall = core.now() - began - row.wall
   return row
 end
