@@ -1,81 +1,211 @@
--- Work-precision diagrams: error over time of discretizations on five problems; charts and a page.
+-- Work-precision diagrams: error of the force, and oscillation or error of the pressure, over processor time.
 --
--- Problem: ironing (oscillation of both forces), Hertz (L2 error of the pressure), two rings (the same), peeling
---          (oscillation of the moment), ironing in 3D (oscillation of both forces): uniform and varying-order
---          discretizations on several meshes, error over time.
+-- Problem: ironing in the plane with friction, Hertz's line contact, two rings, peeling, ironing in 3D: discretizations
+--          with the default settings, with the published ones (plain Newton, linear functions in the thickness
+--          direction, a fixed penalty), and with other formulations, penalties and layers, on several meshes.
 --
 --          error |  o
---                |   \ o          one curve per discretization, one marker per mesh; lower left is better;
---                |    o \         compared: times of two discretizations at equal error
+--                |   \ o          one curve per discretization and setting, one marker per mesh; lower left is better
+--                |    o \
 --                |     \ o
---                |______\_________ time
+--                |______\_________ processor time
 --
---          The problems are those of ironing2d.lua, hertz2d.lua, rings2d.lua, peeling2d.lua and ironing3d.lua; error
---          measures and differences from these scripts are documented in the files of speed_against_accuracy/.
+--          Two errors per problem: that of the mean force (drag, pressing force, moment), relative to a reference with
+--          exact contact (Lagrange multipliers on a fine mesh), whose own error bar is the largest difference from
+--          another mesh and another formulation; and its oscillation, max − min after subtraction of the best-fit
+--          parabola, or the L2 error of the pressure where nothing slides.
 -- Source: V. Agrawal, An Accurate and Efficient Varying Order NURBS Discretization Method for Isogeometric Analysis of
---         Contact Problems, PhD thesis, IIT Guwahati, 2020, sections 7.1 to 7.5; printed savings from section 7.1.3,
---         section 7.2 and Table 7.6.
--- Units: times in s; errors in N/mm (ironing), 1 (Hertz), N/m²·√m (rings), E0 L0³ (peeling); 3D: any consistent ones.
--- Expected: at equal error, in the middle of the common range, N2-N2.2 takes a seventh of the time of N2 in ironing, a
---           fifth in peeling, under a half in Hertz, three quarters in the rings; of the time of N4 a seventh to a
---           quarter, a twelfth, a quarter and a half; in 3D it is better on the sparse mesh than N2 on the middle mesh.
---           The thesis prints 56.62 and 72.78 % less time for ironing (N2-N2.2 at m1, m2 compared with N2 at m3, m4),
---           here 79 and 92; 42.48 and 43.74 % for Hertz (at m3, m4 compared with N2 at m4, m5), here 54. About half an
---           hour on one processor.
--- Run: signorini speed_against_accuracy.lua [problems=ironing,hertz,rings,peeling,ironing3d] [orders=all]
---      [meshes=all] [rounds=0] [time=wall] [out=out/speed_against_accuracy] [page=none]; orders, meshes: all of a
---      problem, or a list (any discretizations; meshes of the problem); rounds: runs per case, for medians, 0 is the
---      default of each problem (3, expensive ones 1); time: wall, or cpu on a machine under other load; page: folder of
---      the page, such as share/doc/evidence. Finished cases are saved in `out` and not run again.
+--         Contact Problems, PhD thesis, IIT Guwahati, 2020, sections 7.1 to 7.5, whose claims of equal accuracy are
+--         checked.
+-- Units: times in s of one processor; errors in %; work is Newton iterations times unknowns.
+-- Expected: see share/doc/evidence/speed_against_accuracy.md. About ten minutes on one processor.
+-- Run: signorini studies/speed_against_accuracy.lua [problems=ironing,hertz,rings,peeling,ironing3d] [meshes=all]
+--      [rounds=3] [out=out/speed_against_accuracy] [page=none]; meshes: of the problems; rounds: runs of each case, for
+--      the median of the time; page: folder of the page, such as share/doc/evidence.
+--      Finished cases are kept in `out`.
 
 local sg = require "signorini"
-local page = require "studies.speed_against_accuracy.page"
-local report = require "studies.speed_against_accuracy.report"
-local study = require "studies.speed_against_accuracy.study"
+local page = require "studies.accuracy.page"
+local study = require "studies.accuracy.study"
 
 local names = { "ironing", "hertz", "rings", "peeling", "ironing3d" }
 local problems = {}
-for _, name in ipairs(names) do problems[name] = require("studies.speed_against_accuracy." .. name) end
+for _, name in ipairs(names) do problems[name] = require("studies.accuracy." .. name) end
 
---- Whether one of the requested problems has a mesh.
-local function is_mesh(mesh, options)
-  for _, name in ipairs(options.problems) do
-    for _, known in ipairs(problems[name].meshes) do
-      if mesh == known then return true end
-    end
+local function holds(list, value)
+  for _, one in ipairs(list) do
+    if one == value then return true end
+  end
+end
+
+--- True if one of the requested problems has a mesh.
+local function is_mesh(mesh, given)
+  for _, name in ipairs(given.problems) do
+    if holds(problems[name].meshes, mesh) then return true end
   end
   return mesh == "all"
 end
 
 local options = sg.arguments{
-  problems = { names, choices = names }, orders = { "all" },
+  problems = { names, choices = names },
   meshes = { { "all" }, check = is_mesh, expected = "all, or meshes that one of the problems has" },
-  rounds = { 0, at_least = 0 },
-  time = { "wall", choices = { "wall", "cpu" } }, out = "out/speed_against_accuracy", page = "none",
+  rounds = { 3, at_least = 1 }, out = "out/speed_against_accuracy", page = "none",
 }
-local files, page_name = sg.files(options.out), "speed_against_accuracy"
-local paths = setmetatable({}, { __call = function(_, name) return files(name) end })
+local files, base = sg.files(options.out), options.page .. "/speed_against_accuracy"
+if options.page ~= "none" then sg.mkdir(base) end
 
---- The path of a chart of the page.
-function paths.page(name) return ("%s/%s/%s"):format(options.page, page_name, name) end
+-- ── Measuring ────────────────────────────────────────────────────────────────────────────────────────────────────────
 
-if options.page ~= "none" then sg.mkdir(("%s/%s"):format(options.page, page_name)) end
-local results = {}
+--- The requested cases of a problem.
+local function cases_of(problem)
+  local list, affordable = {}, problem.affordable or function() return true end
+  for _, mesh in ipairs(problem.meshes) do
+    local wanted = options.meshes[1] == "all" or holds(options.meshes, mesh)
+    for _, row in ipairs(wanted and problem.series or {}) do
+      for i = 2, #row do
+        if affordable(row[i], mesh, row[1]) then list[#list + 1] = { order = row[i], setting = row[1], mesh = mesh } end
+      end
+    end
+  end
+  return list
+end
+
+--- The exact solution with the published penalty, against which claims of the thesis are checked.
+local limits = { ironing = { order = "N2-N2.2", setting = "published penalty", mesh = "m4" },
+                 hertz = { order = "N2-N2.2", setting = "published penalty", mesh = "m5" } }
+
+local function label(row) return row.setting == "default" and row.order or ("%s, %s"):format(row.order, row.setting) end
+
+--- Draws and compares one error of a result: the comparison of sg.work_precision.
+local function compare(result, key, error, ylabel)
+  local problem, list = result.problem, { files(("%s_%s.png"):format(result.problem.name, key)) }
+  if options.page ~= "none" then list[2] = ("%s/%s_%s.png"):format(base, problem.name, key) end
+  return sg.work_precision(result.cases:with("discretization", label), {
+    time = "cpu", error = error, series = "discretization", marker = false, files = list, size = { 1600, 1100 },
+    where = function(row)
+      return holds(result.labels, label(row)) and holds(problem.meshes, row.mesh)
+        or key == "force" and study.find({ row }, problem.reference) ~= nil
+    end,
+    title = problem.title, xlabel = "processor time (s)", ylabel = ylabel,
+  })
+end
+
+local results, comparisons = {}, {}
 for _, name in ipairs(options.problems) do
-  local measured = study.of(problems[name], options)
-  if measured then
-    local result = report.of(measured, options, paths)
+  local problem, cases = problems[name], cases_of(problems[name])
+  if #cases > 0 then
+    local labels = {}
+    for i, case in ipairs(cases) do labels[i] = label(case) end
+    if options.meshes[1] == "all" then cases[#cases + 1] = limits[name] end
+    local result = study.of(problem, cases, options.rounds, options.out, function(case)
+      return case == limits[name] or problem.once and problem.once[case.mesh]
+    end)
+    result.labels = labels
+    local reference = { order = problem.reference.order, setting = problem.reference.setting,
+                        mesh = problem.reference.mesh, way = "" }
+    comparisons[name] = {
+      force = compare(result, "force", { of = "force", reference = reference },
+        ("error of the %s (%%)"):format(problem.force)),
+      second = compare(result, problem.second[1], problem.second[1], problem.second[2]),
+    }
     results[#results + 1], results[name] = result, result
-    report.print(result)
-  else
-    print(("%s is skipped: it has none of the meshes %s"):format(name, table.concat(options.meshes, ", ")))
   end
 end
-files:report()
-if options.page ~= "none" and #results > 0 then
-  local file = ("%s/%s.md"):format(options.page, page_name)
-  page.write(file, results, options, page_name)
-  print(("The page: %s"):format(file))
+
+-- ── Tables ───────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+--- "N2 m1: 41, 0.12 s": name, work in thousands and time of the case of least time whose error is within a limit, as
+--- are those on the finer meshes: errors of mesh, penalty and thickness degree that cancel on one mesh do not count.
+local function cheapest(result, error, limit)
+  local best
+  for _, row in ipairs(result.chosen.rows) do
+    local within = not row.failed and holds(result.labels, label(row))
+    for _, other in ipairs(result.chosen.rows) do
+      if within and label(other) == label(row) and other.unknowns >= row.unknowns then
+        within = not other.failed and other[error] and other[error] <= limit
+      end
+    end
+    if within and not (best and best.cpu <= row.cpu) then best = row end
+  end
+  return best and ("%s %s: %.0f, %.2g s"):format(label(best), best.mesh, best.work / 1e3, best.cpu) or "none"
 end
 
-return { results = results, files = files }
+local function cheapest_rows()
+  local rows = {}
+  for i, result in ipairs(results) do
+    local problem, second = result.problem, result.problem.second[1]
+    rows[i] = { problem.title, cheapest(result, "error", 5), cheapest(result, "error", 1), second,
+                cheapest(result, second, 5), cheapest(result, second, 1),
+                ("%s %.5g %s"):format(problem.force, result.reference.force, problem.unit), result.bar }
+  end
+  return rows
+end
+
+--- What the thesis calls equally accurate: problem, case, other case.
+local claims = {
+  { "ironing", "N2-N2.2", "m1", "N2", "m3" }, { "hertz", "N2-N2.2", "m3", "N2", "m4" },
+  { "hertz", "N2-N2.2", "m1", "L1", "m2" }, { "hertz", "N2-N2.2", "m2", "L1", "m3" },
+}
+
+local function claim_rows()
+  local rows = {}
+  for _, claim in ipairs(claims) do
+    local result = results[claim[1]]
+    local limit = result and study.find(result.cases.rows, limits[claim[1]])
+    local function of(order, mesh)
+      return result and study.find(result.chosen.rows, { order = order, mesh = mesh, setting = "published" })
+    end
+    local a, b = of(claim[2], claim[3]), of(claim[4], claim[5])
+    if a and b and limit then
+      local function error_of(row) return 100 * math.abs(row.force / limit.force - 1) end
+      local second = result.problem.second[1]
+      rows[#rows + 1] = { result.problem.title, ("%s %s as %s %s"):format(claim[2], claim[3], claim[4], claim[5]),
+                          error_of(a), error_of(b), second, a[second], b[second], a.cpu / b.cpu }
+    end
+  end
+  return rows
+end
+
+local tables = {
+  { name = "cheapest", columns = { "problem", "force to 5 %", "force to 1 %", "second quantity", "to 5 %", "to 1 %",
+    "reference", "± (%)" }, rows = cheapest_rows() },
+  { name = "claims", columns = { "problem", "claim", "error of the force (%)", "of the other (%)", "second quantity",
+    "of it (%)", "of the other (%)", "time ratio" }, rows = claim_rows() },
+}
+for _, tabled in ipairs(tables) do print(("\n%s"):format(sg.table{ columns = tabled.columns, rows = tabled.rows })) end
+
+-- ── Files ────────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+--- All pairs of two curves with their ratio of times at equal error.
+local function ratio_rows()
+  local rows = {}
+  for _, result in ipairs(results) do
+    for _, key in ipairs { "force", "second" } do
+      local name = key == "force" and "force" or result.problem.second[1]
+      for _, ratio in ipairs(comparisons[result.problem.name][key].ratios) do
+        if not ratio.why then
+          rows[#rows + 1] = { result.problem.name, name, ratio.a, ratio.b, ratio.from, ratio.to, ratio.ratio[1],
+                              ratio.ratio[2], ratio.ratio[3] }
+        end
+      end
+    end
+  end
+  return rows
+end
+
+local function write_csv(file)
+  sg.csv.write(file, { columns = { "problem", "error of", "a", "b", "smallest error", "largest error",
+    "time a/b at smallest", "in the middle", "at largest" }, rows = ratio_rows() })
+end
+
+write_csv(files "ratios.csv")
+if options.page ~= "none" and #results > 0 then
+  local data = { script = "scripts/studies/speed_against_accuracy.lua", made = page.made(results), tables = tables,
+                 problems = {} }
+  for i, result in ipairs(results) do data.problems[i] = page.cases(result) end
+  page.write(base, data)
+  write_csv(base .. "/ratios.csv")
+end
+files:report()
+
+return { results = results, comparisons = comparisons, tables = tables, files = files }

@@ -39,7 +39,8 @@ curves]], optional = true },
   { "marks", t.list(t.text), [[the kind of each point, such as its mesh: one marker per kind in all curves; the legend
 lists them after the curves]], optional = true },
   { "color", color, [[color and dashes of the curve with this number, or gray; 40 curves can be distinguished, a warning
-reports more]], otherwise = "that of the curve's number" },
+reports more]], otherwise = [[that of the discretization with which the label begins: N2, N2-N2.2, N2-N2.1, N3, N4,
+N2-N4, L1, L2 are 1 to 8, further labels with it add 8; that of the curve's number if no label does]] },
 }
 
 --- Charts.

@@ -95,7 +95,7 @@ local function steps(front, points)
     height = point.error
   end
   return { x = lists.joined(x, { right }), y = lists.joined(y, { height }), label = "Pareto front", color = "gray",
-           width = 12 }
+           width = 6 }
 end
 
 --- Draws a file; `marks` are the names of all kinds of points, in order, or empty.

@@ -24,12 +24,13 @@ end
 --- Distance of zero traction between strip and substrate: T(r) = 0 at r = 15^(−1/6) r₀.
 function problem.equilibrium_distance() return 15 ^ (-1 / 6) * problem.r0 end
 
---- Model and strip. `length` of the strip, adhesion acts on the part x ≤ `bonded`.
-function problem.scene(order, mesh, length, bonded)
+--- Model and strip. `length` of the strip, adhesion acts on the part x ≤ `bonded`; thickness_degree: as in sg.body, 1
+--- by default.
+function problem.scene(order, mesh, length, bonded, thickness_degree)
   local strip = sg.body{
     patch    = sg.shapes.rectangle{ width = length, height = problem.height },
-    elements = problem.elements(mesh, length), order = order, contact = "south", thickness_degree = 1,
-    material = sg.neo_hookean{ E = problem.modulus, nu = problem.poisson },
+    elements = problem.elements(mesh, length), order = order, contact = "south",
+    thickness_degree = thickness_degree or 1, material = sg.neo_hookean{ E = problem.modulus, nu = problem.poisson },
   }
   -- The substrate transmits no shear, and the edge is free to move, so one point of the strip is fixed in x.
   local model = sg.model{

@@ -1,4 +1,5 @@
 #include "view/chart.hpp"
+#include "view/curves.hpp"
 
 #include "bind/lua/open.hpp"
 #include "bind/picture/picture.hpp"
@@ -62,6 +63,36 @@ view::Series read_series(lua_State* L, const Arguments& chart, int number, const
   return series;
 }
 
+/// The number of the color of the discretization that a label begins with, or -1: the same one in all charts.
+int discretization_color(const std::string& label) {
+  const std::vector<std::string> known = {"N2", "N2-N2.2", "N2-N2.1", "N3", "N4", "N2-N4", "L1", "L2"};
+  const int place = place_of(label.substr(0, label.find_first_of(" ,:")), known);
+  return place < std::ssize(known) ? place : -1;
+}
+
+/// Numbers for the looks of curves without a color of their own: those that are named by a discretization get its
+/// color, further names of it the next dashes; other curves get the colors that are left.
+void color_by_discretization(std::vector<view::Series>& series) {
+  const int colors = static_cast<int>(view::curve_colors().size());
+  std::vector<std::vector<std::string>> names(colors);
+  for (view::Series& s : series) {
+    const int color = s.color ? -1 : discretization_color(s.label);
+    if (color < 0) continue;
+    const int dash = place_of(s.label, names[color]);
+    if (dash == std::ssize(names[color])) names[color].push_back(s.label);
+    s.color = color + colors * dash;
+  }
+  const auto taken = [&](int number) { return !names[number % colors].empty(); };
+  const auto count = std::count_if(names.begin(), names.end(), [](const auto& list) { return !list.empty(); });
+  if (count == 0 || count == colors) return;
+  int next = 0;
+  for (view::Series& s : series) {
+    if (s.color) continue;
+    while (taken(next)) ++next;
+    s.color = next++;
+  }
+}
+
 /// A list of {position, text}, {position} and positions.
 std::vector<view::Name> read_places(const Arguments& a, const char* key) {
   lua_State* L = a.state();
@@ -120,6 +151,7 @@ int chart(lua_State* L) {
     series.push_back(read_series(L, a, static_cast<int>(i), x, options.marks));
     lua_pop(L, 1);
   }
+  color_by_discretization(series);
   if (series.empty()) a.fail("at least one curve is needed, got none: add { y = {…}, label = … }");
   const std::string curves = text(series.size(), series.size() == 1 ? " curve" : " curves");
   return push_flat(

@@ -108,6 +108,21 @@ check.case("markers = false removes the markers of several curves", function()
   check.equal({ polygons(), polygons(false), polygons(true) }, { 8, 0, 8 })
 end)
 
+check.case("a discretization has the same color in all charts; other curves get other colors", function()
+  --- The percentages of red of the curves of these names in a chart, the last one first, as they are drawn.
+  local function reds(...)
+    local file, chart, found = check.file "colors.svg", { x = { 1, 2 } }, {}
+    for i, name in ipairs { ... } do chart[i] = { y = { i, i + 1 }, label = name, markers = false } end
+    chart.file = file
+    sg.chart(chart)
+    for red in core.read_file(file):gmatch "stroke%-width:3;[^\"]-stroke:rgb%((%d+)" do found[#found + 1] = red end
+    return table.concat({ table.unpack(found, #found - select("#", ...) + 1) }, " ")
+  end
+  check.equal(reds("exact", "N2-N2.2", "N2-N2.2, published", "N2"), "0 83 83 0")
+  check.equal(reds("N4", "L1", "N2-N2.2"), "83 23 33")
+  check.equal(reds("N9", "b"), "83 0")
+end)
+
 check.case("error draws a band of the curve's color, with gaps where it is nan or infinite", function()
   local function bands(file, error)
     local x = { 1, 2, 3, 4, 5 }
