@@ -13,7 +13,7 @@
 --                      entries, since those of the slave and the master are coupled as well
 --
 -- Source: B. Wohlmuth, SIAM J. Numer. Anal. 38 (2000) on dual multipliers; A. Seitz and others, CMAME 301 (2016) with
---         NURBS; share/doc/benchmark.md on the solvers.
+--         NURBS; share/doc/develop/benchmark.md on the solvers.
 -- Units: times in ms of processor time.
 -- Expected: the fastest solver takes 1.1 to 1.7 times as long per iteration with multipliers as with a penalty.
 -- Run: signorini -q formulations/elimination.lua [problems=hertz,plane,solid] [meshes=m1,m2,m3,m4]

@@ -17,9 +17,9 @@
 --         Problems, PhD thesis, IIT Guwahati, 2020, section 7.1.
 -- Units: mm, N, N/mm².
 -- Expected: no creep with mortar (below 1e-8), and the same drag for any step. With Gauss points the first step of the
---           hold changes the forces by 4e-5, the residual that slip on a curved master leaves (share/doc/theory.md,
---           Coulomb friction), of first order in the step; the others nothing. Two half passes change by 5e-3 in the
---           first step and creep by 8e-5 in the others.
+--           hold changes the forces by 4e-5, the residual that slip on a curved master leaves ("Coulomb friction" in
+--           share/doc/reference/theory.md), of first order in the step; the others nothing. Two half passes change by
+--           5e-3 in the first step and creep by 8e-5 in the others.
 -- Run: signorini -q formulations/load_and_hold.lua [orders=N2,N2-N2.2] [formulations=…] [mesh=m1]
 --      [steps=25,50,100] [hold=50] [out=out/formulations/load_and_hold]; steps: of the slide, the press takes half as
 --      many.

@@ -28,7 +28,7 @@
 --           drag for N2; averages 6.231 (N3), 6.262 (N4), 6.237 (N2-N3), 6.273 (N2-N4), 5.893 (N2-N2.1), 5.804
 --           (N2-N2.2). Curves are symmetric about the middle of the path, since without friction a state does not
 --           depend on the path. Neither higher degree nor layers reduce the oscillation, since the edges of the block
---           stay sharp (see share/doc/problems/block_ironing3d.md). variant=sixty: N2-N2.1 with degree 2 in the
+--           stay sharp (see share/doc/evidence/block_ironing3d.md). variant=sixty: N2-N2.1 with degree 2 in the
 --           thickness direction and 4 points gives 5.846 on average on 2x2x1/8x4x2 (part=whole), 5.826 with
 --           part=half, and 5.796 there with 3 points, block_order=N2 and layer=below.
 -- Run: signorini block_ironing3d.lua [orders=N2,N3,N4,N2-N3,N2-N4,N2-N2.1,N2-N2.2] [mesh=4x4x4/8x4x4]

@@ -28,7 +28,7 @@
 -- Expected: the degrees of freedom of Table 7.11 exactly. Table 7.10 is not reproduced: at R = 25.5, N3 and N2-N3 have
 --           29.4/34.9 and 27.4/34.5 % of N2's dPz/dPx (printed: 27.5/33.1 and 26.8/33.1), N2-N2.1 32.9/51.7 (6.6/14.4);
 --           at R = 7.5, N2-N3 57.9/53.6, N2-N2.1 10.8/32.1. Friction: Px/Pz = 0.306 on average for mu = 0.3. Depth: N2
---           at R = 25.5 has a turning point at 8.43 (see share/doc/problems/ironing3d.md).
+--           at R = 25.5 has a turning point at 8.43 (see share/doc/evidence/ironing3d.md).
 -- Run: signorini ironing3d.lua [orders=N2,N3,N4,N2-N3,N2-N4,N2-N2.1,N2-N2.2] [fine=N2] [radius=25.5] [gap=5]
 --      [slide=window] [down=0.2] [cap=1] [formulation=gpts] [linear=auto] [out=out/ironing3d]; radius and gap can be
 --      lists; fine: discretizations on the doubled mesh, or none; slide=full: the whole path; down: step length of

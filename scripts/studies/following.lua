@@ -12,7 +12,7 @@
 --         Discretization Method for Isogeometric Analysis of Contact Problems, PhD thesis, IIT Guwahati, 2020.
 -- Units: those of the problems; times in seconds.
 -- Expected: oscillations within 5 % of the whole layer's, with fewer unknowns; where the layer moves, force and energy
---           jump by far less than they oscillate (see share/doc/solver_control.md).
+--           jump by far less than they oscillate (see share/doc/decide/solver_control.md).
 -- Run: signorini following.lua [problems=ironing2d,peeling2d] [orders=N2-N2.2] [mesh=] [margin=1] [tolerance=0]
 --      [every=1] [out=out/following]; problems: ironing2d, ironing3d, peeling2d; mesh: one of the problem, by default
 --      m2, coarse, m1; tolerance: 0 for none, otherwise only elements with this jump of tractions have the layer.

@@ -10,7 +10,7 @@
 --         function space contains; so it is free of the finite size and of the penalty. Plain Newton.
 -- Units: any consistent units; errors relative to the peak pressure, lengths to a.
 -- Expected: the local layer has the error of the full one to 3 %, from m2 on the edge, too; knots alone halve that of
---           N2 on the sphere; see share/doc/problems/local_layers.md.
+--           N2 on the sphere; see share/doc/decide/layers.md.
 -- Run: signorini local_layers.lua [problems=line,sphere,solid] [meshes=m1,m2,m3] [solid=m1,m2] [reference=m5]
 --      [knots=2] [steps=5] [repeats=3] [out=out/local_layers]; solid: meshes of the solid.
 

@@ -26,7 +26,7 @@
 --      [meshes=all] [rounds=0] [time=wall] [out=out/speed_against_accuracy] [page=none]; orders, meshes: all of a
 --      problem, or a list (any discretizations; meshes of the problem); rounds: runs per case, for medians, 0 is the
 --      default of each problem (3, expensive ones 1); time: wall, or cpu on a machine under other load; page: folder of
---      the page, such as share/doc. Finished cases are saved in `out` and not run again.
+--      the page, such as share/doc/evidence. Finished cases are saved in `out` and not run again.
 
 local sg = require "signorini"
 local page = require "studies.speed_against_accuracy.page"

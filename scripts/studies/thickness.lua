@@ -4,10 +4,10 @@
 --          to the opposite one, the functions have the degree of the bulk (default) or another one
 --          (`thickness_degree`); the thesis uses 1.
 --
---          ironing of ironing2d.lua: oscillation of the drag; Hertz line contact of hertz2d.lua: L2 error of the
---          pressure against N2-N2.2 at m6 with degree 2 in the thickness direction; a cantilever 10 × 1, clamped at one
---          end, with a shear traction at the other, bottom face named as contact face: error of the deflection against
---          N4 on 160 × 16 elements.
+--          ironing of ironing2d.lua: oscillation of the drag, and means of drag and pressing force in the same window;
+--          Hertz line contact of hertz2d.lua: L2 error of the pressure against N2-N2.2 at m6 with degree 2 in the
+--          thickness direction; a cantilever 10 × 1, clamped at one end, with a shear traction at the other, bottom
+--          face named as contact face: error of the deflection against N4 on 160 × 16 elements.
 --
 --          |=============== |     ny elements in thickness direction (m1: 1, m2: 2, m3: 4, m4: 8) and 10 ny along it;
 --          |_______________ v     nu = 0.3, and 0.49, where linear functions lock
@@ -55,12 +55,13 @@ end
 
 local problems = {
   ironing = {
-    title = "Ironing", error = "oscillation of the drag", unit = "N/mm",
+    title = "Ironing", error = "oscillation of the drag", unit = "N/mm", means = { "drag", "pressing" },
     solve = function(case)
       local solved = ironing.solve{ set_up = ironing.variants.standard, order = case.order, mesh = case.mesh,
                                     thickness_degree = case.thickness_degree }
       local run = solved.run
       return { oscillation = measure.oscillation(run:column "grip.fx").detrended, iterations = run.iterations,
+               drag = measure.mean(run:column "grip.fx"), pressing = measure.mean(run:column "grip.fy"),
                dofs = solved.die_dofs.total + solved.slab_dofs.total,
                failed = run.failed, reason = run.failed and run.failure or nil }
     end,
@@ -135,7 +136,9 @@ end
 for _, name in ipairs(options.problems) do
   local problem, cases = problems[name], measured(name)
   print(("\n── %s: %s ──\n"):format(problem.title, problem.error))
-  print(cases:table{ columns = { "order", "thickness_degree", "mesh", "dofs", "iterations", options.time, "error" },
+  local columns = { "order", "thickness_degree", "mesh", "dofs", "iterations", options.time, "error" }
+  table.move(problem.means or {}, 1, 2, #columns + 1, columns)
+  print(cases:table{ columns = columns,
                      sort = { "order", "thickness_degree", "mesh" } })
   local comparison = sg.work_precision(cases, {
     time = options.time, error = "error", series = "space", marker = "mesh", size = { 1600, 1000 },

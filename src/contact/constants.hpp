@@ -68,7 +68,8 @@ inline constexpr double least_gradient = 1e-8;
 // ── Ends of masters ──────────────────────────────────────────────────────────────────────────────────────────────────
 
 /// A face is extended beyond an open end by this fraction of its last element or, where these are smaller, of the
-/// slave's elements; over the extension tractions fade to zero. share/doc/stability.md compares values from 0.2 to 0.4.
+/// slave's elements; over the extension tractions fade to zero. Values from 0.2 to 0.4 are compared in
+/// share/doc/evidence/stability.md.
 inline constexpr double end_extension = 0.3;
 /// Where the length of the last elements is sampled along each element of a border, from 0 to 1.
 inline constexpr double border_samples[] = {0, 0.5, 1};

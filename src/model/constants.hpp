@@ -158,7 +158,7 @@ inline constexpr double far_too_soft = 1e-3, lost_strain = 1e-8;
 inline constexpr double stiff_slave = 3;
 
 /// Least number of elements in the cohesive zone, below which a warning is given (A. Turon et al., Eng. Fract. Mech.
-/// 74, 2007). In share/doc/problems/debonding.md forces of the bilinear law oscillate by 2 % with 3.4, by 6 % with 2.3.
+/// 74, 2007). In share/doc/evidence/debonding.md forces of the bilinear law oscillate by 2 % with 3.4, by 6 % with 2.3.
 inline constexpr int zone_elements = 3;
 /// Traction relative to the strength above which the report of a failed step counts a bond.
 inline constexpr double high_traction = 0.5;
@@ -173,7 +173,7 @@ template <int D> inline constexpr int worth_sharing = D == 2 ? 64 : 8;
 // ── Warnings ─────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 /// Poisson's ratios from which elements of degree 1 lock, above which those of degree 2 and those of higher degree do:
-/// locking adds 2, 1 and less than 1 % to the error of a force there (share/doc/locking.md).
+/// locking adds 2, 1 and less than 1 % to the error of a force there (share/doc/decide/locking.md).
 inline constexpr double locking_linear = 0.45, locking_quadratic = 0.497, locking_higher = 0.499;
 /// Coefficient of friction above which an angle in degrees is suspected; rubber on dry concrete has about 1.
 inline constexpr double most_friction = 3;

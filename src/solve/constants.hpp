@@ -1,5 +1,5 @@
 #pragma once
-// Tuned constants of the linear solvers and Newton's method, and reasons. Measurements: share/doc/benchmark.md.
+// Tuned constants of the linear solvers and Newton's method, and reasons. Measurements: share/doc/develop/benchmark.md.
 
 #include <cstddef>
 

@@ -59,7 +59,8 @@ struct SolverOptions {
 /// `klu` and `umfpack` factor every matrix by that direct solver; `reuse` reuses factorizations (reused.hpp) of
 /// CHOLMOD, or of UMFPACK if the symmetric part is not positive definite; `condensed` condenses the constant part
 /// (condensed.hpp) by CHOLMOD; `mumps` factors every matrix by MUMPS, or reuses its factorizations if its options say
-/// so. `automatic` selects `reuse` if reuse is worthwhile, otherwise `klu`. Which is fastest: share/doc/benchmark.md.
+/// so. `automatic` selects `reuse` if reuse is worthwhile, otherwise `klu`. Which is fastest:
+/// share/doc/develop/benchmark.md.
 std::unique_ptr<LinearSolver> make_solver(LinearKind kind, const Pattern& pattern, const SolverOptions& options = {});
 
 /// True if a factorization costs so many solutions that it should be reused: its operations, and the entries that a

@@ -1,4 +1,4 @@
-"""Writes the pictures of share/doc/report.md: tests/browser/screenshots.py <report of share/starter.lua> <folder>"""
+"""Writes the pictures of share/doc/use/report.md: tests/browser/screenshots.py <report of share/starter.lua> <folder>"""
 
 import sys
 

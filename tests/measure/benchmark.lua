@@ -21,7 +21,7 @@
 --      the linear solvers are compared, or none, also square-220, solid-15k, solid-60k and solid-100k, which take
 --      minutes each; repeats: passes, of which the median counts, but one if it takes more than a minute; element:
 --      elements along an edge of the block for the reference value; page: folder with benchmark.md, whose generated
---      tables and charts are replaced (share/doc).
+--      tables and charts are replaced (share/doc/develop).
 
 local sg = require "signorini"
 local measure = require "benchmark.measure"

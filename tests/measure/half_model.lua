@@ -2,7 +2,7 @@
 --
 -- Problem: a stiff half ring is pressed into a soft slab in 2D, and a stiff punch with a square face into a soft block
 --          in 3D. In planes of symmetry, supports with symmetry = true constrain the normal displacement.
--- Source: none; the ring is that of share/doc/tutorial.md.
+-- Source: none; the ring is that of share/doc/start/tutorial.md.
 -- Units: seconds of wall time; forces in N/mm in 2D, N in 3D, multiplied by the number of parts for partial models.
 -- Expected: half models take a little less than half of the time, the quarter model about a fifth. Forces differ by the
 --           discretization error: a partial model can have a kink in the plane of symmetry, which the smooth functions

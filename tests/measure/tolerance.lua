@@ -9,7 +9,7 @@
 --          and half of the steps.
 -- Source: chosen here; the scenes are those of sg.scenes where there is one.
 -- Units: seconds of processor time, of companions and all levels; work is the sum of unknowns times iterations.
--- Expected: see share/doc/errors.md. The levels solve several times the work of the cheapest setting of the study,
+-- Expected: see share/doc/use/errors.md. The levels solve several times the work of the cheapest setting of the study,
 --           which reaches the tolerance with a bar far above it, or by errors that cancel.
 -- Run: signorini tests/measure/tolerance.lua [problems=ironing,line,sphere,pin,seal,rings,peeling,cohesive,cylinder,
 --      block] [tolerances=5,2,0.5] [study=yes] [most=3] [limit=60] [reference=1] [keep=no] [out=out/tolerance];

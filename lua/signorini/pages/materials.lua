@@ -60,7 +60,7 @@ return {
   { "sg.linear_elastic", [[Returns a linear elastic material (Hooke's law of small strains), sigma = lambda tr(eps) I +
 2 mu eps; contact still follows the deformed surface. ]] .. in_2d,
     named = constants,
-    more = "Source: linear elasticity; its use: share/doc/theory.md, Bodies.",
+    more = "Source: linear elasticity; its use: share/doc/reference/theory.md, Bodies.",
     returns = t.object "material", example = "sg.linear_elastic{ E = 1, nu = 0.3 }" },
   { "sg.mooney_rivlin",
     "Returns a Mooney-Rivlin material, W = c10 (I1' - 3) + c01 (I2' - 3) + K/4 (J^2 - 1 - 2 ln J). " .. in_2d,
@@ -94,7 +94,7 @@ once with symbols for the invariants or for the principal stretches, to read its
 those of the change of shape alone are J^(-2/3) * I1 and J^(-4/3) * I2. A formula has + - * / ^ and the functions in
 help "formulas"; ==, < and > of symbols are errors, but == of a symbol and a number is false and a symbol counts as
 true, which Lua does not report: write no if. The energy must have zero stress and positive moduli without strain. A
-run warns where the law becomes unstable (share/doc/theory.md). Checkpoints and studies hold the formula.]],
+run warns where the law becomes unstable (share/doc/reference/theory.md). Checkpoints and studies hold the formula.]],
     returns = t.object "material", example = { [[
 sg.hyperelastic{ energy = function(I1, I2, J)
   return 0.2 * (I1 - 3) - 0.4 * sg.log(J) + 0.5 * sg.log(J)^2

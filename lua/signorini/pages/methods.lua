@@ -118,7 +118,7 @@ by row.]],
     example = "model:tangent().size" },
   { "model:unknowns", [[Returns the meaning of each unknown: a list of { body, point, component }; for control points
 that share an unknown, the first one; { support, component } for an obstacle that a support frees. The unknown of its
-"angle" is the arc at a length of the obstacle's size, share/doc/theory.md.]],
+"angle" is the arc at a length of the obstacle's size, share/doc/reference/theory.md.]],
     returns = t.list(t.record("body? support?", t.text, "point?", t.count, "component", t.text)),
     example = "model:unknowns()[1].body  --> \"die\"" },
   { "model:displacements", [[Returns the current displacement of each unknown, in the order of model:unknowns.]],

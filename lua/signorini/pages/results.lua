@@ -72,7 +72,7 @@ and that of springs of supports; energy of penalty springs and bonds, or of adhe
 contacts; energy of the penalty springs times the growth of the area on which they act, zero for contacts with per =
 "reference"; dissipation by bonds. Per unit depth in plane strain. Where nothing changes suddenly, as when a contact is
 switched off, work + area_growth = stored + contact + friction + debonding in the limit of small steps (with friction:
-and of small penetration): see share/doc/theory.md, Output quantities.]],
+and of small penetration): see share/doc/reference/theory.md, Output quantities.]],
     returns = t.record("stored contact friction work area_growth debonding", t.number),
     example = "model:energy().stored" },
   { "model:reaction", [[Returns the force {fx, fy} ({fx, fy, fz} in 3D) that a support exerts on its bodies, followed,

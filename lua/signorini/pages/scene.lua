@@ -278,7 +278,7 @@ remain those of the full circle]], default = false },
     more = [[model:reaction(name) is the force that it exerts, followed by the moment if it rotates; the columns of a
 run are <name>.fx, .fy, .fz, .moment, and for driven components and those of obstacles that are free <name>.ux …
 .angle (model:free_motion), or .factor of a shape. The angle of an obstacle may exceed a turn; points that stick or slip
-on its surface turn with it. More in share/doc/theory.md, Rigid obstacles.]],
+on its surface turn with it. More in share/doc/reference/theory.md, Rigid obstacles.]],
     example = { [[
 supports = { bed  = { on = slab:face "south", fix = "xy" },
              grip = { on = { die:face "west", die:face "east" }, drive = "xy" } }]], [[
@@ -310,7 +310,7 @@ loads = { sea = { on = die:face "east", pressure = function(x, y) return 9.81e-3
     more = [[Results: model:profile(name), model:contact_resultant(name), the columns <name>.fx … of a run (force on the
 slave). Two half passes have two names: <name> is the pass over the slave face, <name>.master that over the master face.
 Source: projection and gap (3.45), (3.46), penalty (3.73), forces (3.83), friction (3.74) to (3.76), adhesion (3.85) to
-(3.89), points 7.1.1 of ]] .. thesis .. [[. More in share/doc/theory.md.
+(3.89), points 7.1.1 of ]] .. thesis .. [[. More in share/doc/reference/theory.md.
 Debonding often snaps: follow it with arc_length = true of model:run, or with prescribed displacements and damping.]],
     example = { [[
 contacts = { interface = { slave = die:face "south", master = slab:face "north", penalty = 100,
@@ -341,7 +341,7 @@ since displacements are tied, they start without stress, but a distance d resist
 small (model:tie_resultant(name).distance). The part of the slave face that is not opposite the master remains free,
 with a warning.
 Results: model:tie_profile(name), model:tie_resultant(name). Source: E. Brivadis, A. Buffa, B. Wohlmuth, L. Wunderlich,
-Comput. Methods Appl. Mech. Engrg. 284 (2015), arXiv:1407.8313. More in share/doc/theory.md.]],
+Comput. Methods Appl. Mech. Engrg. 284 (2015), arXiv:1407.8313. More in share/doc/reference/theory.md.]],
     example = [[
 ties = { seam = { slave = coating:face "south", master = block:face "north" } }]] },
 }

@@ -213,7 +213,7 @@ selected by the option `states` of model:run; by default the start, the end of e
   { "run:hdf5", [[Writes a run to a file of HDF5 for Python (h5py), Julia, MATLAB and other programs: all columns;
 displacements, contact profiles and energies of the states that the run has stored; geometry and basis of the bodies;
 outcome, warnings, script and versions. The option hdf5 of model:run writes the same as the run goes, with the profiles
-and energies of all steps. Contents: share/doc/results.md.]],
+and energies of all steps. Contents: share/doc/use/results.md.]],
     arguments = { { "file", t.text, "name of the file; an existing one is replaced" },
                   { "options", t.options(rows.hdf5), "" } },
     example = { "run:hdf5 \"run.h5\"", "run:hdf5(\"run.h5\", { units = { length = \"mm\", force = \"N\" } })" } },

@@ -196,7 +196,7 @@ run:states()]], default = "stored" },
     { "profiles", t.choice { "stored", "all" }, "steps whose contact profiles and energies the file has",
       default = "all" },
   }, rows.hdf5), { "file", t.text }), [[a file of HDF5 for Python, Julia, MATLAB and others, written as the run goes and
-complete at any moment, also after kill -9; with resume = true it is continued. Contents: share/doc/results.md]],
+complete at any moment, also after kill -9; with resume = true it is continued. Contents: share/doc/use/results.md]],
     optional = true },
   { "states", t.worded(t.either(t.integer(2), t.list(t.integer(0)), t.callback_of({ { "info", info } }, t.any)),
     "a number of states from 2, a list of steps, or a function"), [[states stored for run:states(): this number, evenly
@@ -224,7 +224,7 @@ elements. For scenes whose positions or penalties a script computes from the mes
   }), [[estimates the error of all results, by companions: the same path on the scene with elements two and four times
 as large, and there with half of the steps, half of the penalties, twice the points and a richer row at the contact;
 "mesh" only the first two. They are solved first, each in a process. print(run) then shows the last values with ±, and
-where the errors come from; see run:error, run:budget and share/doc/errors.md]], default = false },
+where the errors come from; see run:error, run:budget and share/doc/use/errors.md]], default = false },
   { "tolerance", t.worded(t.one_or_more(t.text), 'a text such as "1 % of grip.fx", or a list of these'),
     [[solves the path again on finer meshes, with a richer row at the contact, other penalties, steps and points, until
 the error bars of these results are in all steps at most this part of their largest value. The given mesh is the first.

@@ -35,6 +35,13 @@ function measure.oscillation(values, first, last)
   return { raw = spread(part), detrended = #part > 3 and spread(without_parabola(part)) or nil }
 end
 
+--- The mean over the window, or nothing if the run ended before it.
+function measure.mean(values)
+  local sum = 0
+  for i = measure.first, measure.last do sum = sum + (values[i] or 0 / 0) end
+  return sum == sum and sum / (measure.last - measure.first + 1) or nil
+end
+
 --- Adds the named oscillations in % of those of a case, if given: raw_percent, detrended_percent. No percentage of an
 --- oscillation of zero.
 function measure.percent(cases, forces, reference)

@@ -7,7 +7,7 @@ local timed = require "studies.speed_against_accuracy.timed"
 local steps = 10
 
 return {
-  name = "hertz", title = "Hertz", page = "problems/hertz2d.md",
+  name = "hertz", title = "Hertz", page = "hertz.md",
   about = [[
 A linear elastic quarter ring is pressed onto a rigid plane in ten steps. The error is the L₂ norm of p/p_ref over
 x/a_ref at the last of them, against N2 at m6.]],

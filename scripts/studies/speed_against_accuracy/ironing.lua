@@ -8,7 +8,7 @@ local timed = require "studies.speed_against_accuracy.timed"
 local function oscillation(force) return function(row) return measure.oscillation(row[force]).detrended end end
 
 return {
-  name = "ironing", title = "Ironing", page = "problems/ironing2d.md",
+  name = "ironing", title = "Ironing", page = "ironing2d.md",
   about = [[
 A stiff half ring is pressed into a soft slab in 46 steps and dragged along it in 250, with friction. The exact forces
 are nearly constant during sliding, so the error is the oscillation over one element of m1 in the slab's middle, minus

@@ -33,7 +33,7 @@ local function oscillation(force)
 end
 
 return {
-  name = "ironing3d", title = "Ironing in 3D", page = "problems/ironing3d.md",
+  name = "ironing3d", title = "Ironing in 3D", page = "ironing3d.md",
   about = [[
 A soft block with a spherical bottom (R = 7.5) is pressed into an equally soft slab by 5.4 and dragged over the length
 of one element of the sparse mesh, without friction. The exact forces are nearly constant, so the error is

@@ -1,4 +1,4 @@
--- The page share/doc/speed_against_accuracy.md: reports of all problems with charts, in Markdown.
+-- The page share/doc/evidence/speed_against_accuracy.md: reports of all problems with charts, in Markdown.
 
 local tables = require "studies.speed_against_accuracy.tables"
 
@@ -96,7 +96,7 @@ Ratios of times at equal error: at the smallest, the (geometrically) middle and 
 local run_head = [[
 ## Run it
 
-    build/signorini scripts/studies/speed_against_accuracy.lua page=share/doc
+    build/signorini scripts/studies/speed_against_accuracy.lua page=share/doc/evidence
 
 writes this page. Finished cases are saved in the folder `out`: an interrupted run continues with the others, and a
 complete one only draws and writes. Times are meaningful only on an otherwise idle machine.

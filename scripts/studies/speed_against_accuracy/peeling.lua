@@ -10,7 +10,7 @@ local window = { 120, 140 }
 local ways = { following = { adapt = { tolerance = 0.3, margin = 2, every = 10 } } }
 
 return {
-  name = "peeling", title = "Peeling", page = "problems/peeling2d.md",
+  name = "peeling", title = "Peeling", page = "peeling2d.md",
   about = [[
 A strip that adheres to a flat substrate is peeled off by rotating its end to 140° in 1400 steps, with arc length where
 rotation control fails. The exact moment is constant from 120° to 140°, so the error is its oscillation. "Following":

@@ -20,7 +20,7 @@ local function printed_savings(list)
 end
 
 return {
-  name = "rings", title = "Rings", page = "problems/rings2d.md",
+  name = "rings", title = "Rings", page = "rings2d.md",
   about = [[
 Two elastic half rings are pushed into each other in 40 steps, with friction. The error is the L₂ norm of p_N − p_ref
 at the last of them, against N2 at m6.]],

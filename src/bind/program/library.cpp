@@ -104,7 +104,7 @@ std::string write_editor_settings(const std::string& study) {
   const fs::path folder = fs::path(study).parent_path();
   for (const char* name : {".luarc.json", ".luarc.jsonc"}) {
     const fs::path file = folder / name;
-    if (fs::exists(file)) return text("Kept: ", file.string(), ", the settings of editors; see share/doc/editor.md");
+    if (fs::exists(file)) return text("Kept: ", file.string(), ", the settings of editors: share/doc/use/editor.md");
   }
   const fs::path built = program_file().parent_path() / "generated/library";
   const fs::path library = fs::exists(built) ? built : find_share() / "library";

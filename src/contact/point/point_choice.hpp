@@ -16,7 +16,7 @@ using IsNear = std::function<bool(std::span<const std::size_t> points, double di
 /// where Gauss rules lose their order (T. X. Duong, R. A. Sauer, Comput. Mech. 55, 2015, refine them there). An element
 /// has its full rule if
 ///  - its points are in different states; where some stick and others slip the friction has a kink, and with fewer
-///    points Newton's iteration cycles (share/doc/stability.md);
+///    points Newton's iteration cycles (share/doc/evidence/stability.md);
 ///  - it is closed and its least pressure is below a fraction of its largest, so that the border is near;
 ///  - it is open and a point is nearer to contact than a multiple of `moved`, by which slave and master have approached
 ///    each other in the last step, or a fraction of its diagonal;

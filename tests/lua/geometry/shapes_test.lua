@@ -1,13 +1,13 @@
--- Shapes of share/doc/shapes.md: its listings, wrong arguments, bodies of closed and polar shapes of one patch.
+-- Shapes of share/doc/use/shapes.md: its listings, wrong arguments, bodies of closed and polar shapes of one patch.
 
 require "check"
 
 local shapes = sg.shapes
 
 check.case("the page's listings", function()
-  local output, folder = check.page(core.share .. "/doc/shapes.md")
+  local output, folder = check.page(core.share .. "/doc/use/shapes.md")
   check.holds(output, "5\t1.south 2.south 3.south 4.south")
-  local drawn, shown = check.png(folder .. "/shapes.png"), check.png(core.home .. "/share/doc/shapes.png")
+  local drawn, shown = check.png(folder .. "/shapes.png"), check.png(core.home .. "/share/doc/use/shapes.png")
   check.equal({ drawn.width, drawn.height }, { shown.width, shown.height })
 end)
 

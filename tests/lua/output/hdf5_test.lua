@@ -16,7 +16,7 @@ local function entry(array, number)
   return { table.unpack(array.values, (number - 1) * size + 1, number * size) }
 end
 
-local page = core.read_file(core.home .. "/share/doc/results.md")
+local page = core.read_file(core.home .. "/share/doc/use/results.md")
 local path = { { name = "press", steps = 4, grip = {0, -0.15} }, { name = "slide", steps = 3, grip = {0.1, -0.15} } }
 
 check.case("a file written as the run goes has what the run has recorded", function()

@@ -1,9 +1,9 @@
--- The listing of share/doc/several_patches.md runs as printed; several_patches.lua shows what its header says.
+-- The listing of share/doc/use/several_patches.md runs as printed; several_patches.lua shows what its header says.
 
 require "check"
 
 check.case("the page's listing", function()
-  check.holds(check.page(core.share .. "/doc/several_patches.md"), "L.1.east-2.west shares 4 control points",
+  check.holds(check.page(core.share .. "/doc/use/several_patches.md"), "L.1.east-2.west shares 4 control points",
     "L.1.north-3.south shares 6 control points")
 end)
 

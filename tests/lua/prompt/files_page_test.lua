@@ -1,9 +1,9 @@
--- The listing of share/doc/files.md runs as printed and writes what it says.
+-- The listing of share/doc/use/files.md runs as printed and writes what it says.
 
 require "check"
 
 check.case("the page's listing", function()
-  local _, folder = check.page(core.share .. "/doc/files.md")
+  local _, folder = check.page(core.share .. "/doc/use/files.md")
   local same = sg.nurbs.read(folder .. "/ring.mesh")[1]
   check.equal(same:points(), sg.nurbs.read(folder .. "/ring.xml")[1]:points())
   check.equal(#sg.csv.read(folder .. "/forces.csv").rows, 5)

@@ -1,4 +1,4 @@
--- share/doc/gallery.md names every script; its pictures are there, small, and drawn as scripts/coarse.txt says.
+-- The gallery names every script; its pictures are there, small, and drawn as scripts/coarse.txt says.
 
 require "check"
 
@@ -8,14 +8,14 @@ local function lines(command)
   return list
 end
 
-local page = core.read_file(core.home .. "/share/doc/gallery.md")
+local page = core.read_file(core.home .. "/share/doc/examples/gallery.md")
 local coarse = core.read_file(core.home .. "/scripts/coarse.txt")
 
 check.case("every script", function()
   local scripts = lines "cd scripts && grep -l '^-- Run: ' */*.lua"
   check.equal(#scripts > 20, true)
   for _, script in ipairs(scripts) do
-    check.holds(page, "### `" .. script .. "`\n")
+    check.holds(page, "\n| `" .. script .. "` | ")
     check.holds(coarse, "\n" .. script:gsub("%.lua$", "") .. " ")
   end
 end)
@@ -23,11 +23,11 @@ end)
 check.case("every picture", function()
   local total, shown = 0, 0
   for name in page:gmatch "%(gallery/([%w_/]+)%.png%)" do
-    local size = #core.read_file(("%s/share/doc/gallery/%s.png"):format(core.home, name))
+    local size = #core.read_file(("%s/share/doc/examples/gallery/%s.png"):format(core.home, name))
     check.equal(size <= 150000 or name .. " is too large", true)
     total, shown = total + size, shown + 1
     check.equal(coarse:find("\n" .. name .. " +| [%w_]") ~= nil, true)
   end
   check.equal(total <= 3000000, true)
-  check.equal(#lines "ls share/doc/gallery/*/*", shown)
+  check.equal(#lines "ls share/doc/examples/gallery/*/*", shown)
 end)

@@ -1,5 +1,5 @@
 -- Help: every public name has a page, and heads list the arguments that functions take, their examples run, and
--- share/doc/reference.md contains all pages; terms of other programs lead to pages.
+-- share/doc/reference contains all pages; terms of other programs lead to pages.
 
 require "check"
 local examples_of = require("signorini.prompt.help.page_text").examples
@@ -202,8 +202,16 @@ check.case("terms of other programs lead to pages, none of which has the term as
     "Scripts with 'mortar':", "  model:save(path) ")
 end)
 
-check.case("share/doc/reference.md agrees with the pages", function()
-  if core.read_file(core.home .. "/share/doc/reference.md") ~= require "signorini.prompt.help.markdown"() then
-    error "share/doc/reference.md is not what the help pages say: run scripts/reference"
+check.case("share/doc/reference agrees with the pages", function()
+  local files, folder = require "signorini.prompt.help.markdown"(), core.home .. "/share/doc/reference/"
+  for name, text in pairs(files) do
+    if not core.exists(folder .. name) or core.read_file(folder .. name) ~= text then
+      error(folder .. name .. " is not what the help pages say: run scripts/reference")
+    end
+  end
+  for _, name in ipairs(core.list_folder(folder)) do
+    if not files[name] and name ~= "theory.md" and name ~= "glossary.md" and name ~= "theory" then
+      error(folder .. name .. " is not written by scripts/reference")
+    end
   end
 end)

@@ -1,4 +1,4 @@
--- The listings of share/doc/tutorial.md run as printed, one after the other as one script, and print what the page
+-- The listings of the tutorial run as printed, one after the other as one script, and print what the page
 -- quotes. Blocks marked `times` hold seconds, so their decimals are not compared; those marked `example` are not
 -- compared at all.
 
@@ -10,14 +10,14 @@ local function plain(text, times)
   return times and text:gsub("%d+%.%d+", "#") or text
 end
 
-local page = core.read_file(core.home .. "/share/doc/tutorial.md")
+local page = core.read_file(core.home .. "/share/doc/start/tutorial.md")
 local quotes = {}
 for language, kind, body in page:gmatch "```(%l+) ?(%l*)\n(.-)```" do
   if language == "text" then quotes[#quotes + 1] = { kind = kind, body = body } end
 end
 
 check.case("the listings", function()
-  local output, folder = check.page(core.share .. "/doc/tutorial.md")
+  local output, folder = check.page(core.share .. "/doc/start/tutorial.md")
   check.equal(#quotes >= 10, true)
   for _, quote in ipairs(quotes) do
     if quote.kind ~= "example" then

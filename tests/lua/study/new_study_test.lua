@@ -32,7 +32,7 @@ end)
 check.case("settings for editors: the definitions are where they say, and existing settings are kept", function()
   local text = core.read_file(folder .. "/.luarc.json")
   local settings = core.read_json(text)
-  local shown = core.read_file(core.home .. "/share/doc/editor.md"):match "```json\n(.-)```"
+  local shown = core.read_file(core.home .. "/share/doc/use/editor.md"):match "```json\n(.-)```"
   local function installed() return settings["workspace.library"][1] end
   check.equal(shown:gsub("<prefix>/share/signorini/library", installed), text)
   check.equal(settings["runtime.version"], "Lua 5.4")

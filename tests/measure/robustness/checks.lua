@@ -115,8 +115,8 @@ end
 
 -- ── Rounding errors ──────────────────────────────────────────────────────────────────────────────────────────────────
 
---- The rounding error of a row of the residual: ε |K| (|X| + |u|), in 3D four times that (share/doc/theory.md), with
---- the largest coordinates of bodies and obstacles.
+--- The rounding error of a row of the residual: ε |K| (|X| + |u|), in 3D four times that
+--- (share/doc/reference/theory.md), with the largest coordinates of bodies and obstacles.
 local function rounding_of_rows(model, scene, frame)
   local tangent, squares = model:tangent(), 0
   for k, row in ipairs(tangent.rows) do

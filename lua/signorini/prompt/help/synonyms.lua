@@ -59,7 +59,7 @@ strains are ready laws of rubber, and any law from its energy.]], "sg.neo_hookea
 the invariants or of the principal stretches defines an elastic law; `fibers` are its directions.]],
     "sg.hyperelastic" },
   { "incompressible, nearly incompressible, incompressibility, hybrid element, volumetric locking", [[nu must be below
-0.5; close to it, volumetric = "projected" of sg.body avoids locking, as share/doc/locking.md shows.]], "sg.body",
+0.5; close to it, volumetric = "projected" of sg.body avoids locking, see share/doc/decide/locking.md.]], "sg.body",
     "sg.neo_hookean" },
   { "plasticity, plastic, yield, yield stress, viscoelastic, viscoelasticity, creep, damage, steel", [[Materials are
 elastic: plasticity, viscosity and damage are not available. Steel below its yield stress is sg.linear_elastic at small
@@ -95,7 +95,7 @@ unless the program was started with -q. on_step and on_iteration of model:run re
 Slurm.]], "study:execute", "study:watch", "study:cancel" },
   { "parallel, mpi, cores, gpu, multithreading", [[The options --threads and --jobs of the program set the threads of
 assembly and the number of cases of a study solved in parallel; linear = "mumps" factors in parallel under mpirun
-(share/doc/mumps.md). GPUs are not supported.]], "model:run",
+(share/doc/develop/mumps.md). GPUs are not supported.]], "model:run",
     "study:execute" },
   -- Results and interfaces
   { "plot, plotting, graph, image, visualization, postprocessing, animation", [[sg.picture draws states, sg.chart
@@ -113,7 +113,7 @@ and columns of a run.]], "model:reaction", "model:contact_resultant", "model:pro
   { "python, numpy, matlab, julia, api", [[Scripts are in Lua only. CSV, JSON, HDF5 and VTU files of results can be read
 in Python and other programs.]], "run:csv", "run:hdf5", "sg.json.write", "sg.vtu" },
   { "editor, ide, vscode, vs code, neovim, helix, language server, autocomplete, linter", [[Editors with a Lua language
-server complete and check scripts by the settings that signorini --new writes: share/doc/editor.md.]], "sg.help" },
+server complete and check scripts by the settings that signorini --new writes: share/doc/use/editor.md.]], "sg.help" },
   { "gui, graphical interface", [[A graphical interface is not available: use scripts or the prompt, and pictures or
 ParaView.]], "sg.picture", "sg.vtu" },
 }

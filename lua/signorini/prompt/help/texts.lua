@@ -11,6 +11,7 @@ signorini: isogeometric contact mechanics.
   sg.scenes.ironing{}     a scene to begin with: m, path = sg.scenes.ironing{}; m:run(path); help "scenes" lists more
   help "orders"           order labels of discretizations such as N2-N2.2
   help "geometry"         patches and how to make them
+  help "units"            consistent units; also quasi-static
   help "contact"          parts of a scene and its path; also support, load, material, stage
   help "prompt"           commands and keys of the prompt; also notebook
   help "examples"         the scene used by the examples of help
@@ -49,7 +50,7 @@ Notebooks: signorini --install-kernel makes this program a kernel of Jupyter, wh
   Tab, Shift-Tab          complete names and arguments, show the help page at the cursor
   interrupt               stops a run after the current iteration; _ is the run so far
   local x                 belongs to its cell; omit `local` for variables of the notebook
-See share/doc/notebook.md.]],
+See share/doc/use/notebook.md.]],
   examples = [[
 The examples use this scene, which can be typed or copied to the prompt:
 
@@ -66,6 +67,21 @@ The face of a solid has two directions: one label applies to both; order = {"N2-
 direction of the lower xi first. Without a contact face, a list has one label per parametric direction.
 `layer` of sg.body limits the layer to a part of the face, `layer_knots` adds knots to the contact rows only.
 Source: V. Agrawal, An Accurate and Efficient Varying Order NURBS Discretization Method (thesis, IIT Guwahati).]],
+  units = [[
+The program has no units: use consistent ones, in which force = stress x length². All results are in the same units.
+  length   force   stress, E   penalty of a contact      energy   density of a body load
+  mm       N       MPa         N/mm³ = MPa/mm            N mm     N/mm³
+  m        N       Pa          N/m³                      J        N/m³
+  nm       nN      GPa         nN/nm³                    nN nm    nN/nm³
+In plane strain and plane stress forces, energies and stiffnesses are per unit of thickness; axisymmetric forces are
+those of the whole circumference. Angles are in degrees. By default a penalty is 30 E/h, E of the softer body, h the
+size of the slave's elements. `units` of sg.study and sg.table only label columns.]],
+  ["quasi-static"] = [[
+Solutions are quasi-static: sequences of equilibrium states without inertia and without viscosity, so that time does not
+occur. A stage is a part of the load path, and its steps are increments of displacements and loads; the path matters
+with friction and bonds. Impact, vibration, waves, creep and effects of rates are not available. Where a path snaps
+through, no equilibrium near the last one exists: arc_length = true of model:run follows the path through limit points,
+pseudo_transient = true jumps to the next stable state with an artificial viscosity.]],
   geometry = [[
 A patch is a NURBS curve, surface or volume, an immutable value.
   sg.shapes.*    ready-made patches: rectangle, half_annulus, quarter_annulus, block, …
