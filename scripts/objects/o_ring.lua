@@ -83,8 +83,10 @@ local function pressures(model, label)
   table.sort(points, function(a, b) return a[1] < b[1] end)
   local curve = { x = {}, y = {}, label = label, markers = false }
   for i, point in ipairs(points) do
-    local near = point[2] + (points[i - 1] or point)[2] + (points[i + 1] or point)[2] > 0
-    if near then table.insert(curve.x, point[1]); table.insert(curve.y, point[2]) end
+    if point[2] + (points[i - 1] or point)[2] + (points[i + 1] or point)[2] > 0 then
+      table.insert(curve.x, point[1])
+      table.insert(curve.y, point[2])
+    end
   end
   return curve
 end
