@@ -80,7 +80,8 @@ local entries = { "pictures", t.either(t.object "picture", t.list(t.object "pict
 local list = {
   title = "Pictures and charts", word = "pictures",
   { "sg.picture", [[Returns a picture of a model's current state, of a state stored by a run, or of patches, and writes
-it to `file` if given. Later changes of the model do not affect the picture.]],
+it to `file` if given. Later changes of the model do not affect the picture. Most used: model, field,
+range, cut, crop, file.]],
     named = {
       "Contents, one of these, or states below:",
       { "model", t.object "model", "shows its current state", optional = true },

@@ -23,6 +23,7 @@ region.cure = "write a function of a reference position of the slave face, as in
   .. "function(X) return X[1] <= 150 end"
 
 local contact = {
+  "Most used:",
   { "slave", slave, [[face over which contact is integrated; pressures are computed at its contact points. Use the finer
 mesh, of equal meshes the softer body (the published ironing studies use the stiff die); with enforcement =
 "multipliers" the softer body, whose functions can follow all multipliers of its face. A list of adjacent faces, of
@@ -51,6 +52,7 @@ then does not over-constrain. half_passes: as gpts, with `multipliers` as mortar
 once and receives only the force of its own pass: no choice of slave biases the result, twice the points, unsymmetric
 tangents, and action equals reaction only up to the discretization error, imbalance in model:contact_resultant]],
     default = "gpts" },
+  "Further:",
   { "enforcement", t.choice { "penalty", "multipliers" }, [[penalty: penetrations in proportion to the pressure remain.
 multipliers: with method = "mortar", Lagrange multipliers as unknowns; the contact conditions hold weighted by their
 functions, and are integrated point by point]],

@@ -148,71 +148,14 @@ local search = '"energy" with fallback = true; otherwise, and with damping, pseu
 
 --- The options of model:run.
 rows.run = {
+  "Most used:",
+  verbose,
   { "arc_length", t.flag, [[where a step fails, arc-length continuation follows the path, also past turning points,
 until the end of the step is passed; available after the model's first accepted step. Rows between steps have fractional
 step numbers, run.controls lists where control changed]], default = false },
   control("step", t.named(cutting), [[step cutting: a failed step is cut in half. A run still has one row per step;
 run.cutbacks counts the cuts, run:column "increments" the increments of each step, run:attempts(step) lists all
 attempts]]),
-  control("fallback", t.flag, [[a failed step is tried again with fallbacks, one at a time: the tangent predictor;
-damping, if an unconstrained body makes the tangent singular. If these fail, the step is cut. When it cannot be cut
-further, these are tried: damping, if it was not tried before; a line search; pseudo-transient continuation; a frozen
-active set. run.fallbacks counts their
-successes; run.warnings names steps solved by fallbacks that may lead to another branch of solutions]]),
-  control("predictor", predictors, first_guess),
-  { "newton", t.named(loop { otherwise = search }), "Newton's method in each attempt", default = {} },
-  linear, mumps, damping, pseudo_transient, verbose,
-  { "adapt", t.named {
-    { "every", t.count, "steps between two looks at the contact", default = 1 },
-    { "margin", t.integer(0), [[elements of the face next to those in contact that have the layer, too; ahead of a
-moving contact up to twice as many]], default = 1 },
-    { "tolerance", t.positive, [[only elements have the layer where the traction of the contact differs by more than
-this from that of the body's stress, relative to the largest traction]], optional = true },
-  }, [[layers follow the contact: bodies with a layer in their order (N2-N2.2) have it only in the elements of the
-contact face that touch, and a margin around them. It grows ahead of the contact and shrinks behind it; run.adaptations
-lists the changes]], optional = true },
-  { "penalty", t.named {
-    { "start", t.share, "initial factor of all penalties" },
-    { "steps", t.count, "steps until it is 1" },
-  }, "increases the penalties along the path", optional = true },
-  { "threads", t.integer(1, core.most_threads), "threads of this and later runs; results do not depend on the number",
-    otherwise = "the value of --threads" },
-  { "checkpoint", t.short({
-    file,
-    { "every", t.count, "steps between two saves; the end is always saved", default = 1 },
-    { "durable", t.flag, "synchronizes the disk at every save instead of once a second", default = false },
-  }, file), [[saves the model and the progress of the run, so that a killed process leaves a file of its last saved
-step]], optional = true },
-  { "resume", t.flag, [[continues from the checkpoint's file if it exists, with results bitwise identical to an
-uninterrupted run that saves at the same steps; a run without checkpoints differs by rounding error. The file of a
-finished run returns that run at once. Scene and stages must be the same]], default = false },
-  { "hdf5", t.short(lists.joined({
-    { "file", t.text, "name of the file" },
-    { "every", t.count, [[steps between two writes; with 1 the file has the last accepted step at any moment. It is
-written before each save of a checkpoint and at the end, too]],
-      otherwise = "as few as take less than 2 % of the run's time" },
-    { "states", t.choice { "stored", "all" }, [[steps whose displacements the file has: "stored": those of
-run:states()]], default = "stored" },
-    { "profiles", t.choice { "stored", "all" }, "steps whose contact profiles and energies the file has",
-      default = "all" },
-  }, rows.hdf5), { "file", t.text }), [[a file of HDF5 for Python, Julia, MATLAB and others, written as the run goes and
-complete at any moment, also after kill -9; with resume = true it is continued. Contents: share/doc/use/results.md]],
-    optional = true },
-  { "states", t.worded(t.either(t.integer(2), t.list(t.integer(0)), t.callback_of({ { "info", info } }, t.any)),
-    "a number of states from 2, a list of steps, or a function"), [[states stored for run:states(): this number, evenly
-from start to end, those of the listed steps (0 is the start), or those for which function(info) returns true; a resumed
-run has those since its resumption]], otherwise = "the start and the end of each stage" },
-  { "on_step", t.callback_of({ { "info", info } }, t.or_nil(t.either(answer, t.map(t.number)))),
-    [[function(info), called after each step with info.step, info.stage, info["grip.fx"] …;
-returns nothing, "stop" to end the run, "cut" to repeat the step in halves, or a table of numbers, which become columns
-of the run (nan elsewhere)]], optional = true },
-  { "on_iteration", t.callback_of({ { "info", iteration } }, t.or_nil(answer)),
-    [[function(info), called after each iteration with stage, step, from, to (parts of the
-step), iteration, residual, energy, reason; returns nothing, "stop", or "cut" to abandon the attempt]],
-    optional = true },
-  { "measure", t.callback_of({ { "model", t.object "model" } }, t.map(t.number)),
-    [[function(model), called after each step; returns a table of numbers by name, which become columns of the run. With
-`errors` they have error bars, unlike those of on_step]], optional = true },
   { "errors", t.either(t.flag, t.choice { "mesh" }, t.named {
     { "terms", t.choice { "all", "mesh" }, '"mesh": the error of the mesh alone, from two companions',
       default = "all" },
@@ -229,7 +172,68 @@ where the errors come from; see run:error, run:budget and share/doc/use/errors.m
     [[solves the path again on finer meshes, with a richer row at the contact, other penalties, steps and points, until
 the error bars of these results are in all steps at most this part of their largest value. The given mesh is the first.
 The model becomes that of the last level; run.settings tells what was chosen]], optional = true },
+  { "checkpoint", t.short({
+    file,
+    { "every", t.count, "steps between two saves; the end is always saved", default = 1 },
+    { "durable", t.flag, "synchronizes the disk at every save instead of once a second", default = false },
+  }, file), [[saves the model and the progress of the run, so that a killed process leaves a file of its last saved
+step]], optional = true },
+  { "resume", t.flag, [[continues from the checkpoint's file if it exists, with results bitwise identical to an
+uninterrupted run that saves at the same steps; a run without checkpoints differs by rounding error. The file of a
+finished run returns that run at once. Scene and stages must be the same]], default = false },
+  { "states", t.worded(t.either(t.integer(2), t.list(t.integer(0)), t.callback_of({ { "info", info } }, t.any)),
+    "a number of states from 2, a list of steps, or a function"), [[states stored for run:states(): this number, evenly
+from start to end, those of the listed steps (0 is the start), or those for which function(info) returns true; a resumed
+run has those since its resumption]], otherwise = "the start and the end of each stage" },
+  { "on_step", t.callback_of({ { "info", info } }, t.or_nil(t.either(answer, t.map(t.number)))),
+    [[function(info), called after each step with info.step, info.stage, info["grip.fx"] …;
+returns nothing, "stop" to end the run, "cut" to repeat the step in halves, or a table of numbers, which become columns
+of the run (nan elsewhere)]], optional = true },
+  "Controls of the solution:",
+  control("fallback", t.flag, [[a failed step is tried again with fallbacks, one at a time: the tangent predictor;
+damping, if an unconstrained body makes the tangent singular. If these fail, the step is cut. When it cannot be cut
+further, these are tried: damping, if it was not tried before; a line search; pseudo-transient continuation; a frozen
+active set. run.fallbacks counts their
+successes; run.warnings names steps solved by fallbacks that may lead to another branch of solutions]]),
+  control("predictor", predictors, first_guess),
+  { "newton", t.named(loop { otherwise = search }), "Newton's method in each attempt", default = {} },
+  damping, pseudo_transient, linear, mumps,
+  { "penalty", t.named {
+    { "start", t.share, "initial factor of all penalties" },
+    { "steps", t.count, "steps until it is 1" },
+  }, "increases the penalties along the path", optional = true },
+  { "adapt", t.named {
+    { "every", t.count, "steps between two looks at the contact", default = 1 },
+    { "margin", t.integer(0), [[elements of the face next to those in contact that have the layer, too; ahead of a
+moving contact up to twice as many]], default = 1 },
+    { "tolerance", t.positive, [[only elements have the layer where the traction of the contact differs by more than
+this from that of the body's stress, relative to the largest traction]], optional = true },
+  }, [[layers follow the contact: bodies with a layer in their order (N2-N2.2) have it only in the elements of the
+contact face that touch, and a margin around them. It grows ahead of the contact and shrinks behind it; run.adaptations
+lists the changes]], optional = true },
   { "limit", t.positive, "time after which no further level is begun", unit = "s", otherwise = "none" },
+  { "threads", t.integer(1, core.most_threads), "threads of this and later runs; results do not depend on the number",
+    otherwise = "the value of --threads" },
+  "Records and files:",
+  { "measure", t.callback_of({ { "model", t.object "model" } }, t.map(t.number)),
+    [[function(model), called after each step; returns a table of numbers by name, which become columns of the run. With
+`errors` they have error bars, unlike those of on_step]], optional = true },
+  { "hdf5", t.short(lists.joined({
+    { "file", t.text, "name of the file" },
+    { "every", t.count, [[steps between two writes; with 1 the file has the last accepted step at any moment. It is
+written before each save of a checkpoint and at the end, too]],
+      otherwise = "as few as take less than 2 % of the run's time" },
+    { "states", t.choice { "stored", "all" }, [[steps whose displacements the file has: "stored": those of
+run:states()]], default = "stored" },
+    { "profiles", t.choice { "stored", "all" }, "steps whose contact profiles and energies the file has",
+      default = "all" },
+  }, rows.hdf5), { "file", t.text }), [[a file of HDF5 for Python, Julia, MATLAB and others, written as the run goes and
+complete at any moment, also after kill -9; with resume = true it is continued. Contents: share/doc/use/results.md]],
+    optional = true },
+  { "on_iteration", t.callback_of({ { "info", iteration } }, t.or_nil(answer)),
+    [[function(info), called after each iteration with stage, step, from, to (parts of the
+step), iteration, residual, energy, reason; returns nothing, "stop", or "cut" to abandon the attempt]],
+    optional = true },
 }
 local alone = { "on_step", "on_iteration", "checkpoint", "hdf5", "verbose" }
 rows.run.conflict = function(values)

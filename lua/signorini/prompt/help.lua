@@ -6,6 +6,7 @@ local cut = require("signorini.call.text").cut
 local pages = require "signorini.pages"
 local scripts = require "signorini.prompt.help.scripts"
 local named = require "signorini.call.named"
+local paged = require "signorini.prompt.help.paged"
 local show = require "signorini.prompt.show"
 local lists = require "signorini.call.lists"
 local meant = require("signorini.call.text").meant
@@ -169,7 +170,7 @@ function help.show(...)
   local value = ...
   if select("#", ...) == 0 then return print(texts.start) end
   if value == nil then return print "help(nil): this name is not defined. help() lists topics." end
-  print(type(value) == "string" and (word_page(value) or no_page(value)) or value_page(value))
+  paged(type(value) == "string" and (word_page(value) or no_page(value)) or value_page(value))
 end
 
 --- The global value of a path of names such as "sg.shapes", "run:column" or "x.y", or nil.
@@ -232,7 +233,7 @@ end
 function help.ask(query)
   local word = query:match "^%s*([%a_][%w_.:]*)%s*[({]" or query:match "^%s*(.-)%s*$"
   if word == "" then return help.show() end
-  if word == "_" or word:find "^[%%!]" then return print(texts.prompt) end
+  if word == "_" or word:find "^[%%!]" then return paged(texts.prompt) end
   if pages.find(word) or texts[word] then return help.show(word) end
   local value
   if word:find "^[%a_][%w_.:]*$" then value = look_up(word) end
@@ -240,7 +241,7 @@ function help.ask(query)
   local owner = word:match "^(.+)[.:][%w_]+$"
   local is_searched = #word >= shortest and not (owner and look_up(owner) ~= nil)
   local text = row_text(word, value) or value ~= nil and variable_text(word, value) or is_searched and word_page(word)
-  if text then return print(text) end
+  if text then return paged(text) end
   local page, rows, key = rows_before(word)
   if not page then core.fail(no_page(word)) end
   core.fail(("%s has no %s '%s'%s"):format(page.name, page.fields and "field" or "argument", key,

@@ -109,3 +109,8 @@ check.case("long lists are cut and share lines", function()
   check.holds(lines[2], "  1000.125, 1000.25, 1000.375,")
   check.equal(lines[6], "  … 9960 more")
 end)
+
+check.case("a contact whose points touch to rounding error shows no pressure", function()
+  check.holds(show.text((sg.scenes.block{})), "contact interface: touches without a force\n")
+  check.holds(show.text((sg.scenes.hertz{})), "active points, 0 slipping; force {0, ")
+end)

@@ -108,6 +108,14 @@ check.case("?name is help, and errors are red where the terminal has colors and 
   end
 end)
 
+check.case("help that is longer than a screen is shown by $PAGER, shorter help is printed", function()
+  local output = typed_to("exec " .. arg[-1], { 'help "model:run"\n', { "MODEL:RUN(STAGES", "?sg.median\n" }, "\4" },
+    "PAGER='tr a-z A-Z' TERM=dumb")
+  check.holds(output, "SOLVES A MODEL ALONG ITS LOAD PATH", "Returns the median of a list")
+  output = typed_to("exec " .. arg[-1], { '?model.run\n', "\4" }, "PAGER=/no/pager TERM=dumb")
+  check.holds(output, "Solves a model along its load path")
+end)
+
 check.case("history is saved between sessions", function()
   session("marker = 4711\n", "\4")
   local output = session("\16\n", "\4") -- Ctrl-P

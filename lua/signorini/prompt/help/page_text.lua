@@ -7,7 +7,6 @@ local wrapped = require("signorini.call.text").wrapped
 
 local width = 118 -- characters of a line
 local widest_key = 14
-local long = 100 -- characters of a row's text
 
 --- Adds the words of a text to lines; the first line begins with `first`, further ones with `indent`.
 local function add_wrapped(lines, first, text, indent)
@@ -52,14 +51,10 @@ local function terms(row)
   return table.concat(parts, "; ")
 end
 
-local function capitalized(word) return word:sub(1, 1):upper() .. word:sub(2) end
-
---- The text of a row with its terms: after a short text, before a long one.
+--- The text of a row: its meaning, then in parentheses type, unit and default.
 local function row_text(row)
   local text = row[3] or ""
-  if text == "" then return terms(row) end
-  if #text > long then return ("%s. %s"):format(terms(row), text:gsub("^%l+%f[%s,]", capitalized)) end
-  return ("%s (%s)"):format(text, terms(row))
+  return text == "" and terms(row) or ("%s (%s)"):format(text, terms(row))
 end
 
 local function add_rows(lines, rows, indent)

@@ -72,11 +72,24 @@ local function law_text(law)
   return table.concat(parts, ", ")
 end
 
+--- True if the pressure of a contact is that of the rounding error of its points' positions.
+local function is_rounding(model, name, largest, penalty)
+  if not penalty then return false end
+  local profile, size = model:profile(name), 0
+  for _, axis in ipairs(axes) do
+    for _, x in ipairs(rawget(profile, axis) or {}) do size = math.max(size, math.abs(x)) end
+  end
+  return largest <= 1e-12 * penalty * size
+end
+
 local function contact_text(model, name)
   local now, constants = model:contact_resultant(name), model:contact_law(name)
   local law = law_text(constants)
   if now.active == 0 then
     return ("  contact %s: %s\n    %s"):format(name, constants.active and "open" or "switched off", law)
+  end
+  if is_rounding(model, name, now.max_pressure, constants.penalty) then
+    return ("  contact %s: touches without a force\n    %s"):format(name, law)
   end
   local force = map(axes, function(axis) return now["f" .. axis] and ("%.4g"):format(now["f" .. axis]) end)
   local text = ("  contact %s: %s, %d slipping; force {%s}, largest pressure %.4g; tractions per %s area")
