@@ -126,10 +126,28 @@ print(sg.table{
 local exact = { x = {}, y = {}, label = "Hertz", dashed = true, marker = "none" }
 for i = 0, 200 do exact.x[i + 1], exact.y[i + 1] = i / 200, math.sqrt(1 - (i / 200)^2) end
 quarter.curve.label, quarter.curve.marker = "quarter of the section", "none"
-ball.curve.label, ball.curve.line, ball.curve.markers = "seven patches", false, true
+
+--- The mean around the axis, and half of the range there as its error, over intervals of the radius.
+local function around(curve)
+  local width, low, high, sum, count = 0.05, {}, {}, {}, {}
+  for i, r in ipairs(curve.x) do
+    local k, p = math.floor(r / width), curve.y[i]
+    low[k], high[k] = math.min(low[k] or p, p), math.max(high[k] or p, p)
+    sum[k], count[k] = (sum[k] or 0) + p, (count[k] or 0) + 1
+  end
+  local band = { x = {}, y = {}, error = {}, label = "seven patches: mean and range around the axis", marker = "none" }
+  for k = 0, 1.2 // width do
+    if count[k] then
+      local n = #band.x + 1
+      band.x[n], band.y[n], band.error[n] = (k + 0.5) * width, sum[k] / count[k], (high[k] - low[k]) / 2
+    end
+  end
+  return band
+end
 sg.chart{ file = files "pressure.png", title = "Ball between plates: contact pressure", xlabel = "r / a (Hertz)",
-          ylabel = "pressure / peak pressure (Hertz)", quarter.curve, ball.curve, exact }
-sg.picture{ model = ball.model, field = "szz", file = files "cut.png", cut = "y", size = 1000, obstacles = false,
+          ylabel = "pressure / peak pressure (Hertz)", around(ball.curve), quarter.curve, exact,
+          xrange = { 0, 1.2 } }
+sg.picture{ model = ball.model, field = "szz", label = "σ_zz / E", file = files "cut.png", cut = "y", size = 1000, obstacles = false,
             title = "Ball of seven patches between plates" }
 files:report()
 

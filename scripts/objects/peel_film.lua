@@ -30,16 +30,7 @@ local model = sg.model{
                                                      where = function(X) return X[1] >= free end } } },
 }
 
-local states, shown = {}, { [0.2] = true, [0.6] = true, [1] = true }
-local run = model:run({ { name = "peel", steps = options.steps, grip = lift } }, {
-  on_step = function(now)
-    local part = now.step / options.steps
-    if shown[part] then
-      states[#states + 1] = sg.picture{ model = model, field = "von_mises", label = "von Mises stress (MPa)",
-                                        title = ("lifted by %.1f mm"):format(lift * part),
-                                        axes = { "x (mm)", "y (mm)" } }
-    end
-  end })
+local run = model:run{ { name = "peel", steps = options.steps, grip = lift } }
 if run.failed then error(run.failure, 0) end
 
 local lifted, force, peeled = run:column "grip.uy", run:column "grip.fy", run:column "glue.debonded"
@@ -65,7 +56,9 @@ sg.chart{ file = files "damage.png", title = "Bonds at the end of the path", xla
           ylabel = "damage, tension over strength",
           { x = profile.X, y = profile.damage, label = "damage", marker = "none" },
           { x = profile.X, y = tension, label = "tension over strength (negative: pressure)", marker = "none" } }
-sg.sheet{ states, columns = 1, file = files "states.png", title = "Peeling a film" }
+local front = free + peeled[#peeled]
+sg.picture{ model = model, field = "von_mises", label = "von Mises stress (MPa)", unit = "mm", file = files "states.png",
+            size = 1200, inset = { front - 1.2, front + 0.8, -0.1, 0.9 }, title = "Peeling a film" }
 files:report()
 
 return { force = force, lifted = lifted, peeled = peeled, steady = steady, closed = closed, balance = balance }

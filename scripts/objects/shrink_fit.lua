@@ -54,7 +54,7 @@ local lame = E * interference * (Ro^2 - R^2) / (2 * R * Ro^2)
 local pressure = mean_pressure()
 local function picture(title)
   return sg.picture{ model = model, field = "von_mises", label = "von Mises stress (MPa)", title = title,
-                     axes = { "r (mm)", "y (mm)" } }
+                     axes = { "r (mm)", "z (mm)" } }
 end
 local states = { picture "shrunk" }
 local slide = { seat = { friction = { mu = mu } } }
@@ -81,8 +81,8 @@ sg.chart{ file = files "force.png", title = "Pulling a hub off a shaft", xlabel 
           { x = travel, y = linear, label = "2π R l μ p", marker = "none", dashed = true },
           { x = { 0, travel[#travel] }, y = { closed_force, closed_force }, label = "largest, closed form",
             marker = "none", dashed = true } }
--- Pulled, the edge of the bore has the greatest stress, which grows with smaller elements.
-sg.sheet{ states, columns = 2, range = "own", file = files "states.png", title = "Shrink fit" }
+-- Pulled, the edge of the bore has the greatest stress, which grows with smaller elements: beyond the range.
+sg.sheet{ states, columns = 2, range = { 0, 200 }, file = files "states.png", title = "Shrink fit" }
 files:report()
 
 return { pressure = pressure, lame = lame, most = most, closed_force = closed_force, travel = travel, force = force }

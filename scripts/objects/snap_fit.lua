@@ -76,7 +76,8 @@ local function part(first, last, label)
 end
 sg.chart{ file = files "force.png", xlabel = "shift of the root (mm)", ylabel = "force per width (N/mm)",
           title = "Snap-fit hook", part(1, options.steps, "pushed in"), part(options.steps + 1, #force, "pulled out") }
-sg.picture{ model = model, states = run:states(), field = "von_mises", file = files "states.png", size = 1200 }
+sg.picture{ model = model, states = run:states(), field = "von_mises", label = "von Mises stress (MPa)", unit = "mm",
+            file = files "states.png", size = 1200 }
 files:report()
 
 results.shift, results.force = shift, force

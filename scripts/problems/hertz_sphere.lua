@@ -127,7 +127,8 @@ if #options.sizes > 1 then
 end
 for _, order in ipairs(options.orders) do draw_pressure(cases, order, files(("pressure_%s.png"):format(order))) end
 local last = cases[#cases]
-sg.picture{ model = last.model, field = "syy", file = files "syy.png", mesh = true, crop = { 0, 0.15, -1.003, -0.9 },
+sg.picture{ model = last.model, field = "syy", label = "axial stress", axes = { "r", "z" },
+            file = files "syy.png", crop = { 0, 0.15, -1.003, -0.9 },
             title = ("Hertz, sphere, %s at %s: stress near the contact"):format(last.order, last.mesh) }
 files:report()
 

@@ -36,7 +36,7 @@ local output = require "problems.peeling2d.output"
 local problem = require "problems.peeling2d.problem"
 local steady = require "problems.peeling2d.steady"
 
-local picture_angles = { 30, 60, 90, 120, 150 }
+local picture_angles = { 60, 90, 120, 150 }
 
 -- ── The study ────────────────────────────────────────────────────────────────────────────────────────────────────────
 

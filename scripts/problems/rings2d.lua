@@ -27,7 +27,7 @@ local sg = require "signorini"
 local problem = require "problems.rings2d.problem"
 local in_turns = require "studies.in_turns"
 
-local picture_steps = { [0] = true, [10] = true, [20] = true, [30] = true, [40] = true }
+local picture_steps = { [10] = true, [20] = true, [30] = true, [40] = true }
 --- Rules of integration of an error: quadrature points, zone (where either or both sides touch), and edge of a profile
 --- (zero at the next open point, or at zero gap). The first one is that of the table.
 local rules = {}
@@ -189,8 +189,8 @@ local files, cases = sg.files(options.out), {}
 local pictures = {}
 local function keep_state(model, step)
   if not picture_steps[step] then return end
-  pictures[#pictures + 1] = sg.picture{ model = model, field = "uy", mirror = "x", unit = "m",
-                                        title = ("load step %d"):format(step) }
+  pictures[#pictures + 1] = sg.picture{ model = model, field = "von_mises", label = "von Mises stress (N/m²)",
+                                        mirror = "x", unit = "m", title = ("load step %d"):format(step) }
 end
 
 local list = { { "N2", options.reference } }
@@ -218,7 +218,7 @@ print(("\nTime, with Table 7.6, medians of %d (linear: factorization and solve)"
 print(time_table(cases))
 
 write_errors(cases, files "errors.csv")
-sg.sheet{ pictures, columns = 3, file = files "states.png",
+sg.sheet{ pictures, columns = 2, file = files "states.png",
           title = ("Rings, %s at %s"):format(options.orders[1], options.meshes[1]) }
 for _, mesh in ipairs(options.meshes) do
   draw_traction(cases, finest, mesh, "pressure", options.coordinate, files(("pressure_%s.png"):format(mesh)))

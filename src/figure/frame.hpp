@@ -17,6 +17,7 @@ struct Showing {
   bool names = true;                ///< of patches: faces and directions, and numbers if there are several
   std::string vectors = "";         ///< "displacement", "traction", or none
   std::vector<int> bodies = {};     ///< those to be drawn
+  std::vector<int> gray = {};       ///< those without the field
   std::string mirror = "";          ///< mirror axes, such as "xy"
   std::vector<Window> windows = {}; ///< regions shown magnified, with their mirror images
 };

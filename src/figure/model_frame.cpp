@@ -206,7 +206,8 @@ void cut_open(view::Panel& panel, const model::Model<3>& model, const Cut& cut, 
     });
   for (std::size_t i = 0; i < panel.bodies.size(); ++i) {
     view::Body& body = panel.bodies[i];
-    body.inside = inside_of(model, showing.bodies[i], showing, field, body.skin.values.size() > 0, planes);
+    const bool valued = body.skin.values.size() > 0;
+    body.inside = inside_of(model, showing.bodies[i], showing, valued ? field : nullptr, valued, planes);
   }
 }
 
@@ -239,7 +240,12 @@ template <int D> view::Panel show(const model::Model<D>& model, const Showing& s
   panel.windows = showing.windows;
   Showing skins = showing;
   if (cut) skins.windows.clear(); // cut faces have even pieces, and the skin must end where they do
-  for (int b : showing.bodies) panel.bodies.push_back(skin_of(model, b, skins, field));
+  Showing plain = skins;
+  plain.field.clear();
+  for (int b : showing.bodies) {
+    const bool gray = std::find(showing.gray.begin(), showing.gray.end(), b) != showing.gray.end();
+    panel.bodies.push_back(skin_of(model, b, gray ? plain : skins, gray ? nullptr : field));
+  }
   if constexpr (D == 3) {
     if (cut) cut_open(panel, model, *cut, showing, field);
   } else if (on_faces) {

@@ -71,7 +71,6 @@ SurfaceLine segment(const std::array<Mix, 2>& ends, const Lattice& lattice, cons
   SurfaceLine line{Points(3, 2), Points(3, 2), spacing};
   line.points << ends[0].of(lattice.points), ends[1].of(lattice.points);
   line.normals << normal, normal;
-  if (lattice.values.size() > 0) line.values = Vec<2>(ends[0].of(lattice.values), ends[1].of(lattice.values));
   return line;
 }
 
@@ -241,12 +240,7 @@ std::vector<SurfaceLine> cut(const std::vector<SurfaceLine>& lines, const CutPla
     const VectorX distance = distances(line.points, plane, tolerance);
     std::deque<Mix> part;
     const auto finish = [&] {
-      if (part.size() > 1) {
-        SurfaceLine& left = parts.emplace_back(line_of(part, line.points, line.normals, line.spacing));
-        if (line.values.size() > 0) left.values.resize(left.points.cols());
-        for (Eigen::Index i = 0; i < left.values.size(); ++i)
-          left.values[i] = part[static_cast<std::size_t>(i)].of(line.values);
-      }
+      if (part.size() > 1) parts.push_back(line_of(part, line.points, line.normals, line.spacing));
       part.clear();
     };
     for (int i = 0; i < line.points.cols(); ++i) {

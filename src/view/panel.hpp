@@ -15,7 +15,8 @@
 namespace signorini::view {
 
 inline constexpr Rgb plain_color = {203, 209, 214}; ///< of bodies without a field
-inline constexpr Rgb mesh_color = {45, 45, 45};     ///< borders of elements, rims
+inline constexpr Rgb mesh_color = {96, 96, 96};     ///< borders of elements, visible on dark and on light colors
+inline constexpr Rgb border_color = {45, 45, 45};   ///< borders of faces
 inline constexpr Rgb net_color = {200, 60, 20};     ///< control points and the lines between them
 
 // ── Bodies ───────────────────────────────────────────────────────────────────────────────────────────────────────────
@@ -35,7 +36,6 @@ struct SurfaceLine {
   Points points;
   Points normals = {}; ///< of the surface, one per point; empty in the plane
   double spacing = 0;
-  VectorX values = {}; ///< of the surface beneath, one per point; or empty
 };
 
 /// Samples of an element at (divisions + 1)³ points, evenly spaced in its parameters, ξ¹ running fastest.

@@ -65,7 +65,7 @@ void add_body(Scene& scene, const Body& body, const Style& style) {
   const double u = style.unit;
   const double mesh = std::max((scene.plane ? 1.7 : 1.6) * u, 0.8), rim = scene.plane ? mesh : 2.4 * u;
   if (body.mesh) add_lines(scene, body.mesh_lines, {mesh_color, mesh, 1.2, !body.open});
-  add_lines(scene, body.rim, {mesh_color, rim, 1.5, !body.open});
+  add_lines(scene, body.rim, {border_color, rim, 1.5, !body.open});
   for (const SurfaceLine& line : body.undeformed_rim) scene.undeformed_rims.push_back(line);
   if (body.undeformed.points.cols() > 0)
     scene.translucent.push_back(
@@ -81,13 +81,6 @@ void add_body(Scene& scene, const Body& body, const Style& style) {
   scene.bodies.push_back(body.skin);
 }
 
-/// The body with the values beneath its mesh lines.
-Body with_ground(Body body) {
-  const LineValues values(body.skin);
-  for (SurfaceLine& line : body.mesh_lines) line.values = values.along(line.points);
-  return body;
-}
-
 void add_obstacle(Scene& scene, const Rigid& rigid, const Bounds& box, const Panel& panel, const Style& style) {
   RigidSurface surface = shown(rigid, box, panel.windows);
   if (panel.cut) surface = cut(surface, *panel.cut, cut_tolerance * box.size());
@@ -100,10 +93,7 @@ void add_obstacle(Scene& scene, const Rigid& rigid, const Bounds& box, const Pan
 Scene scene_of(const Panel& panel, bool plane, const Mat<3>& axes, const Style& style) {
   Scene scene;
   scene.plane = plane;
-  for (const Body& body : panel.bodies) {
-    const Body grounded = with_ground(body);
-    add_body(scene, panel.cut ? cut(grounded, *panel.cut) : grounded, style);
-  }
+  for (const Body& body : panel.bodies) add_body(scene, panel.cut ? cut(body, *panel.cut) : body, style);
   const Bounds box = bounds(panel.bodies);
   require(!box.empty(), "view.picture.empty");
   for (const Rigid& rigid : panel.obstacles) add_obstacle(scene, rigid, box, panel, style);
@@ -249,7 +239,7 @@ void add_translucent(Translucent& result, const std::vector<TranslucentSurface>&
   }
 }
 
-/// Calls draw(points, normals, pen) for contours and lines, in tones that contrast with the colors beneath.
+/// Calls draw(points, normals, pen) for contours, in tones that contrast with their colors, and lines.
 template <class Draw> void draw_lines(const Scene& scene, const Canvas& canvas, Draw draw) {
   for (const Surface& surface : scene.bodies)
     for (double level : surface.values.size() > 0 ? canvas.levels : std::vector<double>())
@@ -261,11 +251,7 @@ template <class Draw> void draw_lines(const Scene& scene, const Canvas& canvas, 
     Pen pen = line.pen;
     pen.width = width_of(line);
     if (pen.width == 0) continue;
-    const auto& [points, normals, spacing, values] = line.line;
-    for (const auto& [first, count, tone] : toned(points.cols(), values, pen.color, canvas.range, canvas.colors)) {
-      pen.color = tone;
-      draw(points.middleCols(first, count), normals.middleCols(first, count), pen);
-    }
+    draw(line.line.points, line.line.normals, pen);
   }
 }
 

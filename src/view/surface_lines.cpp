@@ -5,7 +5,6 @@
 #include "view/frame.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <map>
 
@@ -14,10 +13,6 @@ namespace {
 
 constexpr Rgb light_line = {205, 205, 205};
 constexpr double darkest = 40; // CIE L* of the darkest colors on which dark lines are visible
-
-std::array<double, 3> key_of(const Vec<3>& point) {
-  return {point[0] + 0.0, point[1] + 0.0, point[2] + 0.0}; // −0 becomes 0
-}
 
 } // namespace
 
@@ -33,42 +28,7 @@ Rgb color_of(double value, const std::array<double, 2>& range, const std::vector
 }
 
 Rgb tone_on(const Rgb& surface) {
-  return lightness(surface) < darkest ? light_line : mesh_color;
-}
-
-std::size_t LineValues::Hash::operator()(const std::array<double, 3>& point) const {
-  std::uint64_t hash = 0;
-  for (double x : point) hash = (hash ^ std::bit_cast<std::uint64_t>(x)) * 0x9E3779B97F4A7C15U, hash ^= hash >> 29;
-  return hash;
-}
-
-LineValues::LineValues(const Surface& surface) {
-  values_.reserve(static_cast<std::size_t>(surface.values.size()));
-  for (Eigen::Index i = 0; i < surface.values.size(); ++i)
-    values_.emplace(key_of(surface.points.col(i)), surface.values[i]);
-}
-
-VectorX LineValues::along(const Points& line) const {
-  if (values_.empty()) return {};
-  VectorX values(line.cols());
-  for (Eigen::Index i = 0; i < line.cols(); ++i) {
-    const auto found = values_.find(key_of(line.col(i)));
-    if (found == values_.end()) return {};
-    values[i] = found->second;
-  }
-  return values;
-}
-
-std::vector<Stretch> toned(Eigen::Index points, const VectorX& values, const Rgb& otherwise,
-                           const std::array<double, 2>& range, const std::vector<Rgb>& colors) {
-  if (values.size() != points || points < 2) return {{0, points, otherwise}};
-  std::vector<Stretch> stretches;
-  for (Eigen::Index i = 1; i < points; ++i) {
-    const Rgb tone = tone_on(color_of(0.5 * (values[i - 1] + values[i]), range, colors));
-    if (stretches.empty() || stretches.back().color != tone) stretches.push_back({i - 1, 1, tone});
-    ++stretches.back().count;
-  }
-  return stretches;
+  return lightness(surface) < darkest ? light_line : border_color;
 }
 
 std::vector<double> contour_levels(const Contours& contours, const std::array<double, 2>& range,

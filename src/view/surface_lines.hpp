@@ -3,8 +3,6 @@
 
 #include "view/panel.hpp"
 
-#include <unordered_map>
-
 namespace signorini::view {
 
 /// Points without their z.
@@ -15,29 +13,6 @@ Rgb color_of(double value, const std::array<double, 2>& range, const std::vector
 
 /// Dark or light line color, whichever has more contrast with the surface color.
 Rgb tone_on(const Rgb& surface);
-
-/// The values of a surface along lines that run through its points.
-class LineValues {
-public:
-  explicit LineValues(const Surface& surface);
-  /// One value per point of the line; empty if the surface has none.
-  VectorX along(const Points& line) const;
-
-private:
-  struct Hash {
-    std::size_t operator()(const std::array<double, 3>& point) const;
-  };
-  std::unordered_map<std::array<double, 3>, double, Hash> values_;
-};
-
-/// A section of a line in one color.
-struct Stretch {
-  Eigen::Index first, count; ///< of the line's points
-  Rgb color;
-};
-/// Splits a line into sections whose colors contrast with the values beneath; one section without values.
-std::vector<Stretch> toned(Eigen::Index points, const VectorX& values, const Rgb& otherwise,
-                           const std::array<double, 2>& range, const std::vector<Rgb>& colors);
 
 /// The values of contour lines.
 struct Contours {

@@ -112,6 +112,8 @@ range; or a list of levels]], otherwise = "none", needs = { "field", "fields" } 
       { "colormap", t.choice(core.colormaps), "'coolwarm' suits values of both signs", default = "viridis" },
       "Parts drawn:",
       of_models { "bodies", t.list(body_name, nil, 1), "names of the bodies", otherwise = "all" },
+      of_models { "gray", t.list(body_name, nil, 1), "bodies without the field, such as stiff ones",
+                  otherwise = "none", needs = { "field", "fields" } },
       of_models { "deformed", t.flag, "current shape; false: reference shape", default = true },
       of_models { "undeformed", t.flag, "also the reference shape, dashed, in 3D also translucent", default = false },
       { "mesh", t.flag, "element boundaries", default = true },

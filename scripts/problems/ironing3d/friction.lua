@@ -47,7 +47,7 @@ end
 
 local function draw_energies(file, case)
   local chart = { file = file, xlabel = "load step", ylabel = "energy",
-                  title = ("3D ironing, %s, mu = %g: energy balance"):format(case.order, case.mu) }
+                  title = ("3D ironing, %s, μ = %g: energy balance"):format(case.order, case.mu) }
   for i, name in ipairs { "work", "stored", "friction", "contact" } do
     local values = {}
     for step, energy in ipairs(case.energies) do values[step] = energy[name] end
@@ -58,13 +58,13 @@ local function draw_energies(file, case)
 end
 
 local function draw_ratio(file, cases)
-  local chart = { file = file, xlabel = "x of the indenter's center (mm)", ylabel = "Px/Pz",
+  local chart = { file = file, xlabel = "x of the indenter's center", ylabel = "Px/Pz",
                   title = "3D ironing: drag over pressing force" }
   for _, case in ipairs(cases) do
     local ratio = {}
     for i, Px in ipairs(case.Px) do ratio[i] = Px / case.Pz[i] end
     if #ratio > 0 then
-      chart[#chart + 1] = { x = case.x, y = ratio, label = ("%s, mu = %g"):format(case.order, case.mu) }
+      chart[#chart + 1] = { x = case.x, y = ratio, label = ("%s, μ = %g"):format(case.order, case.mu) }
     end
   end
   if #chart > 0 then sg.chart(chart) end
@@ -88,6 +88,11 @@ function friction.run(options, files)
       files:draw(("energy_%s.png"):format(name), "an accepted step", function(file)
         return draw_energies(file, case)
       end)
+      if case.mu > 0 then
+        files:draw(("groove_%s.png"):format(name), "a state that slides", function(file)
+          return output.draw_groove(file, case)
+        end)
+      end
       case.model = nil
       cases[#cases + 1] = case
     end

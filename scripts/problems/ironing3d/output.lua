@@ -106,19 +106,45 @@ end
 
 --- Pressing force and drag over the path of the indenter's center; returns whether there was anything to draw.
 function output.draw_forces(file, cases, title)
-  local chart = { file = file, xlabel = "x of the indenter's center (mm)", ylabel = "force of the indenter on the slab",
+  local chart = { file = file, xlabel = "x of the indenter's center", ylabel = "force of the indenter on the slab",
                   title = title .. ": Pz (full) and Px (dashed)" }
   for _, curve in ipairs { { "Pz", false }, { "Px", true } } do
     for i, case in ipairs(cases) do
       if #case.x > 0 then
         chart[#chart + 1] = { x = case.x, y = case[curve[1]], dashed = curve[2], color = i,
                               label = ("%s %s %s"):format(curve[1], case.order,
-                                case.mu and ("mu = %g"):format(case.mu) or case.mesh) }
+                                case.mu and ("μ = %g"):format(case.mu) or case.mesh) }
       end
     end
   end
   if #chart > 0 then sg.chart(chart) end
   return #chart > 0
+end
+
+--- The last state of a case, cut through the middle, the slab alone, and the pressure below the indenter, next to the
+--- forces over the path.
+function output.draw_groove(file, case)
+  local x, model = case.x[#case.x], case.model
+  if not x then return false end
+  local near = { x - 14, x + 14, 0, 30, 4, 31 }
+  local forces = { xlabel = "x of the indenter's center", ylabel = "force of the indenter on the slab",
+                   title = "forces over the path", size = { 800, 500 },
+                   { x = case.x, y = case.Pz, label = "pressing force Pz", markers = false },
+                   { x = case.x, y = case.Px, label = "drag Px", markers = false } }
+  local function picture(options)
+    options.model, options.size, options.ruler = model, 800, false
+    if options.field == "von_mises" then options.label = "von Mises stress / E" end
+    return sg.picture(options)
+  end
+  sg.sheet{ columns = 2, file = file, title = ("Ironing with friction, %s, μ = %g"):format(case.order, case.mu),
+    picture{ field = "von_mises", gray = { "indenter" }, cut = "-y", crop = near,
+             camera = { from = { 0.4, -2, 0.7 } }, title = "cut through the middle" },
+    picture{ field = "contact_pressure", label = "contact pressure / E", bodies = { "indenter" },
+             camera = { from = { 0.4, -1.6, -1.2 } }, title = "the indenter from below" },
+    picture{ field = "von_mises", bodies = { "slab" }, crop = near,
+             camera = { from = { 0.5, -1.6, 1.5 } }, title = "the slab alone" },
+    sg.chart(forces) }
+  return true
 end
 
 --- Oscillations in % of those of coarse N2, with the published ones; returns whether there were any.

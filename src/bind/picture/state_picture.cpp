@@ -187,6 +187,8 @@ Picture read_model(const Arguments& a, const Model<D>& model, const std::string&
     showing.bodies.resize(model->system.scene.bodies.size());
     std::iota(showing.bodies.begin(), showing.bodies.end(), 0);
   }
+  for (const auto& name : a.get<std::vector<std::string>>("gray"))
+    for (const int body : find_bodies(*model, name)) showing.gray.push_back(body);
   const std::optional<Cut> cut = D == 3 ? read_cut(a) : std::nullopt;
   StatePicture picture = read_view(a, showing, D == 3, cut, size);
   picture.options.field_label = read_label<D>(a, showing);

@@ -52,6 +52,15 @@ check.case("every option changes the picture", function()
   end
 end)
 
+check.case("gray bodies have no field, also where they are cut", function()
+  for _, view in ipairs { {}, { cut = "x" } } do
+    for _, field in ipairs { "uz", "contact_pressure" } do
+      assert(drawn_alike({ model = model, field = field, gray = { "block" }, cut = view.cut },
+                         { model = model, cut = view.cut }))
+    end
+  end
+end)
+
 check.case("two fields of a solid are drawn side by side", function()
   local pair = draw{ model = model, fields = { "uz", "szz" }, size = 700 }
   check.equal(pair.width > 1.5 * pair.height, true)

@@ -65,6 +65,12 @@ check.case("every option changes the picture", function()
   end
 end)
 
+check.case("gray bodies have no field", function()
+  local size = { 400, 300 }
+  check.equal(draw{ model = model, field = "uy", gray = { "strip" }, size = size }.bytes,
+              draw{ model = model, size = size }.bytes)
+end)
+
 --- A ring or strip that is pressed onto a rigid plane.
 local function pressed(kind)
   local made = scenes.model{ kind = kind,
