@@ -125,8 +125,8 @@ local page = sg.study{ name = "collection", folder = options.out .. "/page", cas
                        units = { deviation = "%", time = "s" }, run = row_of }:execute{}
 page:report{ file = files "collection.html", title = "Benchmarks of contact", text = table.concat(text, "\n\n"),
              charts = { { x = "benchmark", y = function(row) return row.value and math.abs(row.deviation) end,
-                          series = "formulation", line = false, log = "y", title = "Deviation from the reference",
-                          ylabel = "deviation (%)" } } }
+                          series = "formulation", line = false, log = "y", yrange = { 1e-3, 1e3 },
+                          ylabel = "deviation (%)", title = "Deviation from the reference" } } }
 files:report()
 
 return { rows = entries, failed = failed }
