@@ -94,13 +94,13 @@ local results, comparisons = {}, {}
 for _, name in ipairs(options.problems) do
   local problem, cases = problems[name], cases_of(problems[name])
   if #cases > 0 then
-    local labels = {}
+    local labels, finest = {}, cases[#cases].mesh
     for i, case in ipairs(cases) do labels[i] = label(case) end
     if options.meshes[1] == "all" then cases[#cases + 1] = limits[name] end
     local result = study.of(problem, cases, options.rounds, options.out, function(case)
       return case == limits[name] or problem.once and problem.once[case.mesh]
     end)
-    result.labels = labels
+    result.labels, result.finest = labels, finest
     local reference = { order = problem.reference.order, setting = problem.reference.setting,
                         mesh = problem.reference.mesh, way = "" }
     comparisons[name] = {
@@ -115,11 +115,12 @@ end
 -- ── Tables ───────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 --- "N2 m1: 41, 0.12 s": name, work in thousands and time of the case of least time whose error is within a limit, as
---- are those on the finer meshes: errors of mesh, penalty and thickness degree that cancel on one mesh do not count.
+--- are those on all finer meshes: errors of mesh, penalty and thickness degree that cancel on one mesh do not count.
 local function cheapest(result, error, limit)
   local best
   for _, row in ipairs(result.chosen.rows) do
-    local within = not row.failed and holds(result.labels, label(row))
+    local within = not row.failed and holds(result.labels, label(row)) and study.find(result.chosen.rows,
+      { order = row.order, setting = row.setting, mesh = result.finest }) ~= nil
     for _, other in ipairs(result.chosen.rows) do
       if within and label(other) == label(row) and other.unknowns >= row.unknowns then
         within = not other.failed and other[error] and other[error] <= limit

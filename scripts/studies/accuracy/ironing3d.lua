@@ -50,7 +50,7 @@ ironing3d.series = {
   { "multipliers", "N2", "N2-N2.1" }, { "local layer", "N2-N2.2" },
 }
 ironing3d.affordable = function(order, mesh, setting)
-  return mesh == "sparse" or order == "N2" or setting == "default" and order == "N2-N2.1" or setting == "local layer"
+  return mesh == "sparse" or setting == "default" and (order == "N2" or order == "N2-N2.1")
 end
 ironing3d.once = { sparse = true, coarse = true }
 -- Without friction the steps do not matter, so those of the reference are long.
