@@ -73,10 +73,11 @@ end
 --- Figure 7.22: collects the states of a case at the angles of the pictures.
 local pictures = {}
 local function keep_state(model, angle)
-  for _, wanted in ipairs(picture_angles) do
-    if math.abs(angle - wanted) < 1e-6 then
+  for _, wanted in ipairs(picture_angles) do -- or the end of a shorter path
+    if math.abs(angle - math.min(wanted, options.steps * problem.pitch)) < 1e-6 then
       pictures[#pictures + 1] = sg.picture{ model = model, field = "I1", factor = 1 / problem.modulus, label = "I1 / E",
-                                            mesh = false, unit = "nm", title = ("θ = %d°"):format(wanted) }
+                                            mesh = false, unit = "nm", title = ("θ = %.0f°"):format(angle) }
+      break
     end
   end
 end

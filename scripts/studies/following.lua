@@ -98,23 +98,25 @@ print(sg.table{
   formats = { "%s", "%s", "%s", "%.0f", "%d", "%d", "%.2f", "%.2f", "%.4g", "%+.1f", "%.1e" },
 })
 
---- Values over the steps, of the last stage; marks at moves.
+--- Values of the layer that follows less those of the layer of the whole face, over the steps of the last stage, with
+--- marks at moves.
 local function draw(set, key, ylabel, title)
   local chart = { file = files(("%s_%s_%s.png"):format(key, set.name, set.order)), xlabel = "step", ylabel = ylabel,
                   title = title }
   local first = #set[2].stages > 1 and set[2].stages[1].steps + 1 or 1
-  for i = 2, 3 do
-    local case = set[i]
-    local values = key == "force" and case.values or case.run:column "elastic"
-    local line = { x = {}, y = {}, label = ("%s, %s"):format(case.order, case.way) }
-    for step = first, #values do line.x[#line.x + 1], line.y[#line.y + 1] = step, values[step] end
-    chart[#chart + 1] = line
-    local moves = { x = {}, y = {}, label = "the layer has moved", markers = true, line = false }
-    for _, change in ipairs(case.run.adaptations) do
-      if change.step >= first then table.insert(moves.x, change.step) table.insert(moves.y, values[change.step]) end
-    end
-    if #moves.x > 0 then chart[#chart + 1] = moves end
+  local function values(case) return key == "force" and case.values or case.run:column "elastic" end
+  local whole, follows = values(set[2]), values(set[3])
+  local line = { x = {}, y = {}, label = ("%s, %s, less %s"):format(set[3].order, set[3].way, set[2].way),
+                 markers = false }
+  for step = first, math.min(#whole, #follows) do
+    line.x[#line.x + 1], line.y[#line.y + 1] = step, follows[step] - whole[step]
   end
+  local moves = { x = {}, y = {}, label = "the layer has moved", markers = true, line = false }
+  for _, change in ipairs(set[3].run.adaptations) do
+    local difference = line.y[change.step - first + 1]
+    if difference then table.insert(moves.x, change.step) table.insert(moves.y, difference) end
+  end
+  chart[1], chart[2] = line, #moves.x > 0 and moves or nil
   sg.chart(chart)
 end
 for _, set in ipairs(sets) do
