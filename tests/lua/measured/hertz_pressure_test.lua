@@ -35,7 +35,7 @@ end)
 check.case("the reference agrees with Hertz's solution up to the finite size", function()
   for _, problem in ipairs { "line", "sphere" } do
     local reference = study.references[problem]
-    check.within(problem, reference.pressure(0), 1, 0.025) -- 1.2 % and 1.9 % with infinite penalty: hertz_sphere.md
+    check.within(problem, reference.pressure(0), 1, 0.025) -- 1.2 % and 1.9 % with infinite penalty: hertz.md
   end
 end)
 
