@@ -147,8 +147,8 @@ end
 sg.chart{ file = files "pressure.png", title = "Ball between plates: contact pressure", xlabel = "r / a (Hertz)",
           ylabel = "pressure / peak pressure (Hertz)", around(ball.curve), quarter.curve, exact,
           xrange = { 0, 1.2 } }
-sg.picture{ model = ball.model, field = "szz", label = "σ_zz / E", file = files "cut.png", cut = "y", size = 1000, obstacles = false,
-            title = "Ball of seven patches between plates" }
+sg.picture{ model = ball.model, field = "szz", label = "σ_zz / E", file = files "cut.png", cut = "y", size = 1000,
+            obstacles = false, title = "Ball of seven patches between plates" }
 files:report()
 
 return { ball = ball, quarter = quarter, rigid = rigid, small = small }

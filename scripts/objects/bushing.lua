@@ -56,8 +56,8 @@ print(sg.table{ columns = { "", "N/mm per mm" }, formats = { "%s", "%.3f" },
 sg.chart{ file = files "force.png", title = "Radial force on a bushing", xlabel = "shift (mm)",
           ylabel = "force per length (N/mm)", { x = shift, y = force, label = "computed" },
           { x = shift, y = linear, label = "plane elasticity", markers = false } }
-sg.picture{ model = model, field = "von_mises", label = "von Mises stress (MPa)", unit = "mm", file = files "states.png",
-            title = "Bushing", size = 1200 }
+sg.picture{ model = model, field = "von_mises", label = "von Mises stress (MPa)", unit = "mm",
+            file = files "states.png", title = "Bushing", size = 1200 }
 files:report()
 
 return { stiffness = stiffness, exact = compressible, published = incompressible, warnings = run.warnings,

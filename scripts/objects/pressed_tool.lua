@@ -73,7 +73,8 @@ print(sg.table{ columns = { "", "rigid tool", "deformable die" }, formats = { "%
 sg.chart{ file = files "drag.png", title = "Ironing under a constant force", xlabel = "travel", ylabel = "drag",
           { x = rigid.x, y = rigid.drag, label = "rigid tool", marker = "none" },
           { x = die.x, y = die.drag, label = "deformable die, E = 1000", marker = "none", dashed = true } }
-sg.sheet{ { sg.picture{ model = rigid.model, field = "von_mises", label = "von Mises stress / E", title = "rigid tool" },
+sg.sheet{ { sg.picture{ model = rigid.model, field = "von_mises", label = "von Mises stress / E",
+                        title = "rigid tool" },
             sg.picture{ model = die.model, field = "von_mises", label = "von Mises stress / E", gray = { "die" },
                         title = "deformable die" } },
           columns = 2, file = files "states.png", title = "Ironing under a constant force" }
