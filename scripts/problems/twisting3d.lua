@@ -243,7 +243,7 @@ local function keep_states(whole, cut, options)
 end
 
 local function draw_states(whole, cut, name, files)
-  sg.sheet{ whole, columns = 2, file = files "states.png", title = "Twisting, " .. name }
+  sg.sheet{ whole, columns = 2, range = { 0, 1.7 }, file = files "states.png", title = "Twisting, " .. name }
   sg.sheet{ cut, columns = 2, file = files "cut.png",
             title = ("Twisting, %s: the half y > 0"):format(name) }
 end
