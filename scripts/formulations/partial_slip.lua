@@ -104,7 +104,7 @@ for _, case in ipairs(cases) do
 end
 sg.csv.write(files "states.csv", data)
 
---- The traction of all formulations after the second shear less that of the closed form: the curves themselves coincide.
+--- The traction of all formulations after the second shear less that of the closed form: the curves alone coincide.
 local function draw_tractions(order, count, file)
   local drawing = { file = file, xlabel = "x / a", ylabel = "(q − closed form) / (μ p_0)", xrange = { -1.2, 1.2 },
                     title = ("Partial slip, %s, %d elements per half-width"):format(order, count) }

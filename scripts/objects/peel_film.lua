@@ -58,7 +58,8 @@ sg.chart{ file = files "damage.png", title = "Bonds at the end of the path", xla
           { x = profile.X, y = tension, label = "tension over strength (negative: pressure)", marker = "none" } }
 local front = free + peeled[#peeled]
 sg.picture{ model = model, field = "von_mises", label = "von Mises stress (MPa)", unit = "mm",
-            file = files "states.png", size = 1200, inset = { front - 1.2, front + 0.8, -0.1, 0.9 }, title = "Peeling a film" }
+            file = files "states.png", size = 1200, inset = { front - 1.2, front + 0.8, -0.1, 0.9 },
+            title = "Peeling a film" }
 files:report()
 
 return { force = force, lifted = lifted, peeled = peeled, steady = steady, closed = closed, balance = balance }

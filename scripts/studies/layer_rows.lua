@@ -1,8 +1,8 @@
 -- Control points of varying-order layers: what an order label adds to a body, and where.
 --
 -- Problem: the die of the ironing benchmark, 6 × 2 elements, with the contact face below: N2; N4, which adds a few
---          functions of higher continuity in all rows; N2-N2.2, which elevates the degree of the contact row at constant
---          continuity; N2-N2.2x2, which elevates two rows.
+--          functions of higher continuity in all rows; N2-N2.2, which elevates the degree of the contact row at
+--          constant continuity; N2-N2.2x2, which elevates two rows.
 -- Source: V. Agrawal, An Accurate and Efficient Varying Order NURBS Discretization Method for Isogeometric Analysis of
 --         Contact Problems, PhD thesis, IIT Guwahati, 2020, section 5.1.
 -- Units: none.
