@@ -1,4 +1,5 @@
 #include "base/notice.hpp"
+#include "base/text.hpp"
 #include "bind/lua/threads.hpp"
 #include "bind/lua/wording/wording.hpp"
 #include "bind/program/doctor.hpp"
@@ -43,7 +44,7 @@ bool run(const repl::CommandLine& line, const std::string& program) {
   if (isatty(STDERR_FILENO)) acknowledge_interrupts(STDERR_FILENO);
   if (line.interactive || line.prompt_only()) survive_interrupts(); // the prompt stays usable with its variables
   const std::string script = bind::find_script(line.script);
-  if (script != line.script && !line.quiet) std::cerr << "signorini: running " << script << std::endl;
+  if (script != line.script && !line.quiet) std::cerr << text("signorini: running ", script, "\n");
   interpreter.set_arguments(program, script, line.arguments);
   // A script in a file loads the library itself; typed code has it loaded already.
   const bool typed = line.interactive || line.script.empty() || line.script == "-" || !line.code.empty();
@@ -53,8 +54,8 @@ bool run(const repl::CommandLine& line, const std::string& program) {
   for (const auto& code : line.code) ok = ok && interpreter.run_code(code, "=(command line)");
   ok = ok && (line.script.empty() || interpreter.run_file(script, line.arguments));
   if (ok && !line.chunk.empty()) { // study:execute ends the program when the chunk is solved
-    std::cerr << "signorini: the script ended without executing the study of " << line.chunk
-              << ". Hint: the script and its arguments must be those of the submission" << std::endl;
+    std::cerr << text("signorini: the script ended without executing the study of ", line.chunk,
+                      ". Hint: the script and its arguments must be those of the submission\n");
     return false;
   }
   if (!line.interactive && !line.prompt_only()) return ok && !interpreter.lost_cases();
@@ -107,10 +108,10 @@ int main(int argc, char** argv) {
     if (interrupted()) return out_of_time() ? out_of_time_limit : stopped_by_user;
     return ok ? success : failure;
   } catch (const repl::UsageError& error) {
-    std::cerr << "signorini: " << error.what() << "\n";
+    std::cerr << text("signorini: ", error.what(), "\n");
     return wrong_usage;
   } catch (const std::exception& error) {
-    std::cerr << "signorini: " << bind::worded(error) << "\n";
+    std::cerr << text("signorini: ", bind::worded(error), "\n");
     return failure;
   }
 }

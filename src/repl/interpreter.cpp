@@ -1,6 +1,7 @@
 #include "repl/interpreter.hpp"
 
 #include "base/match.hpp"
+#include "base/text.hpp"
 #include "bind/lua/functions.hpp"
 #include "bind/lua/limits.hpp"
 #include "bind/lua/message.hpp"
@@ -171,8 +172,8 @@ bool Interpreter::call(int arguments, bool keep_traceback) {
 
 bool Interpreter::report(bool ok) {
   std::fflush(stdout);
-  if (!ok)
-    std::cerr << painted("signorini:", Color::red, STDERR_FILENO) << " " << lua_tostring(state(), -1) << std::endl;
+  if (!ok) // in one piece, between which the output of other processes cannot come
+    std::cerr << text(painted("signorini:", Color::red, STDERR_FILENO), " ", lua_tostring(state(), -1), "\n");
   lua_settop(state(), 0);
   return ok;
 }

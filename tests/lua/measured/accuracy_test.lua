@@ -9,7 +9,7 @@ local folder = check.folder()
 -- ── Pages and the files from which they are made ─────────────────────────────────────────────────────────────────────
 
 for _, name in ipairs { "evidence/speed_against_accuracy", "decide/which_model" } do
-  local base = ("%s/share/doc/%s"):format(core.home, name)
+  local base = ("%s/doc/%s"):format(core.share, name)
   check.case(name .. ".md has the figures of " .. name .. ".json", function()
     local text = core.read_file(base .. ".md")
     check.equal(page.filled(text, sg.json.read(base .. ".json")), text)

@@ -1,5 +1,6 @@
 #include "bind/lua/wording/wording.hpp"
 
+#include "base/text.hpp"
 #include "base/warning.hpp"
 #include "base/words.hpp"
 #include "bind/lua/message.hpp"
@@ -137,7 +138,7 @@ void mute_warnings(bool now) {
 
 void warn(const std::string& sentence) {
   static std::set<std::string> printed;
-  if (!muted && printed.insert(sentence).second) std::cerr << "signorini: warning: " << sentence << std::endl;
+  if (!muted && printed.insert(sentence).second) std::cerr << text("signorini: warning: ", sentence, "\n");
 }
 
 void word_warnings() {
