@@ -1,7 +1,7 @@
 -- Elastic slip and Coulomb's law: what a tangential penalty changes, and how it vanishes with its stiffness.
 --
 -- Problem: partial_slip.lua: two equal blocks with parabolic faces, pressed together and sheared by 0.7 of mu P. The
---          normal penalty is 10 E over the length of a span; the tangential one varies. Coulomb's law is the limit
+--          normal penalty is 10 E over the length of an element; the tangential one varies. Coulomb's law is the limit
 --          of a rigid spring. Mortar contact with multipliers solves it without a spring, on the same mesh.
 --          Sticking points slip elastically by q/ε_T, at most by mu p/ε_T.
 --          Held: the largest displacement of a contact point in 10 further steps in which nothing moves.
@@ -13,7 +13,7 @@
 --           100 E/h springs are so stiff that steps are halved many times, and tractions oscillate like multipliers.
 -- Run: signorini -q formulations/elastic_slip.lua [order=N2-N2.2] [count=8] [formulations=equal,reduced]
 --      [penalties=0.1,1,10,100,1000] [steps=10] [out=out/formulations/elastic_slip]; penalties: tangential, in
---      multiples of E over the length of a span; formulations: with mortar multipliers.
+--      multiples of E over the length of an element; formulations: with mortar multipliers.
 
 local sg = require "signorini"
 local deviation = require "formulations.deviation"

@@ -10,15 +10,15 @@
 --         │    ‾‾‾‾‾‾‾‾    │  blocks 0.6 wide (61 a) and 0.3 high, linear elastic, E = 1, nu = 0.3, plane strain
 --         └────────────────┘  mu = 0.3; bottom clamped
 --
---          Spans: `counts` per half-width a at the slave (upper) face and 0.77 times as many at the master, uniform up
---          to 1.4 a. Both penalties are `penalty` times E over the length of a span. Q/(mu P) is the quotient of the
---          integrals of both tractions over the contact, which turns slightly. Slip of the sticking points: their
+--          Elements: `counts` per half-width a at the slave (upper) face and 0.77 times as many at the master, uniform
+--          up to 1.4 a. Both penalties are `penalty` times E over the length of an element. Q/(mu P) is the quotient of
+--          the integrals of both tractions over the contact, which turns slightly. Slip of the sticking points: their
 --          displacement relative to the point of the master opposite to them since the end of the pressing, over |x| <
 --          0.8 c, mean and largest, in units of a.
 -- Source: C. Cattaneo, 1938; R. D. Mindlin, 1949; K. L. Johnson, Contact Mechanics, Cambridge, 1985, sections 4.2(c)
 --         and 7.2(d).
 -- Units: any consistent units; lengths relative to the radius R, tractions to Young's modulus.
--- Expected: c/a = √(1 − Q/(mu P)) within the length of a span; the L2 error of the traction over x/a falls with the
+-- Expected: c/a = √(1 − Q/(mu P)) within the length of an element; the L2 error of the traction over x/a falls with the
 --           mesh; sticking points slip by the traction over the tangential penalty.
 -- Run: signorini -q formulations/partial_slip.lua [orders=N2,N2-N2.2] [counts=4,8,16] [formulations=…]
 --      [penalty=10] [press=16] [steps=10] [out=out/formulations/partial_slip]; press, steps: number of steps of the
@@ -75,7 +75,7 @@ end
 
 -- ── Output ───────────────────────────────────────────────────────────────────────────────────────────────────────────
 
-local rows, formats = {}, { ["Q/(mu P)"] = "%.3f", ["c/a"] = "%.3f", expected = "%.3f", ["span"] = "%.3f",
+local rows, formats = {}, { ["Q/(mu P)"] = "%.3f", ["c/a"] = "%.3f", expected = "%.3f", ["element"] = "%.3f",
                             ["L2 error"] = "%.1e", mean = "%.1e", largest = "%.1e", pressed = "%.1e" }
 for _, case in ipairs(cases) do
   for i = 1, #along do
@@ -88,13 +88,13 @@ for _, case in ipairs(cases) do
 end
 print "Partial slip against Cattaneo and Mindlin: stick zone, L2 error of the traction, slip of the sticking points"
 print(sg.table{
-  columns = { "order", "formulation", "spans", "Q/(mu P)", "c/a", "expected", "span", "L2 error", "mean", "largest",
-              "pressed", "iterations", "failed" },
+  columns = { "order", "formulation", "elements", "Q/(mu P)", "c/a", "expected", "element", "L2 error", "mean",
+              "largest", "pressed", "iterations", "failed" },
   units = { "", "", "per a", "", "", "", "a", "of mu p_0", "slip / a", "slip / a", "of mu P", "", "" }, rows = rows,
   formats = formats })
 
 local files = sg.files(options.out)
-local data = { columns = { "order", "formulation", "spans", "ratio", "c", "expected", "error", "mean_slip",
+local data = { columns = { "order", "formulation", "elements", "ratio", "c", "expected", "error", "mean_slip",
                            "largest_slip", "iterations" }, rows = {} }
 for _, case in ipairs(cases) do
   for _, state in ipairs(case.states) do

@@ -33,7 +33,7 @@
 --      accuracy; times are medians of `repeat` runs; linear: sparse solver, as for model:run.
 --      signorini ironing2d.lua variant=deep [mesh=m1] [orders=…] [points=1,2,3] [coarser=1,2]; points:
 --      multiples of p + 1; coarser: factors on the step size.
---      signorini ironing2d.lua variant=validation [mesh=48] [orders=N2,N4]; mesh: spans along both faces.
+--      signorini ironing2d.lua variant=validation [mesh=48] [orders=N2,N4]; mesh: elements along both faces.
 --      signorini ironing2d.lua variant=cost [steps=110,66,44] [repeat=3]; steps: 1 of 11 presses.
 
 local sg = require "signorini"

@@ -32,7 +32,7 @@
 -- Run: signorini ironing3d.lua [orders=N2,N3,N4,N2-N3,N2-N4,N2-N2.1,N2-N2.2] [fine=N2] [radius=25.5] [gap=5]
 --      [slide=window] [down=0.2] [cap=1] [formulation=gpts] [linear=auto] [out=out/ironing3d]; radius and gap can be
 --      lists; fine: discretizations on the doubled mesh, or none; slide=full: the whole path; down: step length of
---      pressing; cap: biquadratic spans per direction that represent the sphere; formulation: a row of
+--      pressing; cap: biquadratic elements per direction that represent the sphere; formulation: a row of
 --      formulations/rows.lua, such as equal or reduced-multipliers.
 --      signorini ironing3d.lua variant=friction [orders=N2] [radius=7.5] [gap=5] [mu=0,0.3] [distance=30]
 --      [finer=1] [penalty=100]; distance: of sliding through the middle of the slab; finer: divides the steps; penalty:

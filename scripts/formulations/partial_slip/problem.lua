@@ -7,9 +7,9 @@ local formulations = require "formulations.rows"
 local problem = { young = 1, poisson = 0.3, radius = 1, mu = 0.3, width = 0.3, height = 0.3, half_width = 0.01 }
 local approach = 4e-4 -- presses the half-width to 0.98 of `half_width`
 
---- Distances from 0 to `last`: spans of length h up to `even`, then each `growth` times as long as the one before,
+--- Distances from 0 to `last`: elements of length h up to `even`, then each `growth` times as long as the one before,
 --- slightly stretched to end at `last`.
-local function spans(h, even, last, growth)
+local function elements(h, even, last, growth)
   local places, length = { 0 }, h
   local count = math.ceil(even / h)
   for i = 1, count do places[i + 1] = i * h end
@@ -23,7 +23,7 @@ local function spans(h, even, last, growth)
   return places
 end
 
---- A block with the face y = ± x²/(2 R), spans of length h at the contact.
+--- A block with the face y = ± x²/(2 R), elements of length h at the contact.
 local function block(o, h, sign)
   local w, height = problem.width, problem.height
   -- The parabola as a Bézier curve of x = −w … w: its middle control point is at −w²/(2 R).
@@ -34,10 +34,10 @@ local function block(o, h, sign)
   local patch = sg.nurbs.surface{ degrees = { 2, 1 }, knots = { { 0, 0, 0, 1, 1, 1 }, { 0, 0, 1, 1 } },
                                   points = points }
   local along, through = {}, {}
-  local sides = spans(h, 1.4 * problem.half_width, w, 1.3)
+  local sides = elements(h, 1.4 * problem.half_width, w, 1.3)
   for i = #sides - 1, 2, -1 do along[#along + 1] = 0.5 - sides[i] / (2 * w) end
   for i = 1, #sides - 1 do along[#along + 1] = 0.5 + sides[i] / (2 * w) end
-  local depths = spans(h, h, height, 1.3)
+  local depths = elements(h, h, height, 1.3)
   for i = 2, #depths - 1 do
     local at = depths[i] / height
     through[i - 1] = sign > 0 and at or 1 - at
@@ -49,9 +49,9 @@ local function block(o, h, sign)
                   material = sg.linear_elastic{ E = problem.young, nu = problem.poisson } }
 end
 
---- The scene. `o`: order, count (spans per half-width of the upper face; the lower one has 0.77 times as many), penalty
---- (both, in multiples of E over the length of a span), friction_penalty (the tangential one, if it differs),
---- formulation (a row of formulations/rows.lua), swap (the lower face is the slave).
+--- The scene. `o`: order, count (elements per half-width of the upper face; the lower one has 0.77 times as many),
+--- penalty (both, in multiples of E over the length of an element), friction_penalty (the tangential one, if it
+--- differs), formulation (a row of formulations/rows.lua), swap (the lower face is the slave).
 function problem.scene(o)
   local h = problem.half_width / o.count
   local upper, lower = block(o, h, 1), block(o, 1.3 * h, -1)

@@ -19,8 +19,8 @@ problem.variants = {
   },
 }
 
---- Elements of die and slab by mesh: m1 to m6, each of which halves every span of the one before (Table 7.1), or the
---- number of spans along both faces in the proportions of section 6.2, where 48 means 48 × 8 and 48 × 24; nothing
+--- Elements of die and slab by mesh: m1 to m6, each of which halves every element of the one before (Table 7.1), or the
+--- number of elements along both faces in the proportions of section 6.2, where 48 means 48 × 8 and 48 × 24; nothing
 --- if the name is not a mesh.
 function problem.elements(mesh)
   local level = math.tointeger(mesh:match "^m([1-6])$")
@@ -28,15 +28,15 @@ function problem.elements(mesh)
     local halvings = 1 << (level - 1)
     return { die = { 6 * halvings, 2 * halvings }, slab = { 8 * halvings, 3 * halvings } }
   end
-  local spans = math.tointeger(tonumber(mesh))
-  if not spans or spans < 6 or spans % 6 ~= 0 then return nil end
-  return { die = { spans, spans // 6 }, slab = { spans, spans // 2 } }
+  local number = math.tointeger(tonumber(mesh))
+  if not number or number < 6 or number % 6 ~= 0 then return nil end
+  return { die = { number, number // 6 }, slab = { number, number // 2 } }
 end
 
 --- A script's argument that names one mesh, or a list of them, as sg.arguments takes it.
 function problem.meshes(default)
   return { default, check = problem.elements,
-           expected = "m1 to m6, or a multiple of 6 as the spans along both faces" }
+           expected = "m1 to m6, or a multiple of 6 as the elements along both faces" }
 end
 
 --- Degree of the functions on the contact face: that of the order's last part, N2-N2.1x2 has 2 + 1.

@@ -70,7 +70,7 @@ function validation.run(options, files)
   local set_up, mesh, cases = problem.variants.validation, options.mesh, {}
   local keep, draw_states = output.record_states(picture_steps)
   for i, order in ipairs(options.orders) do
-    print(("%s at %s spans"):format(order, mesh))
+    print(("%s at %s elements"):format(order, mesh))
     local case = problem.solve{ set_up = set_up, order = order, mesh = mesh, linear = options.linear,
                                 step = { adaptive = true }, on_step = i == 1 and keep or nil }
     print(case.run)
@@ -83,10 +83,10 @@ function validation.run(options, files)
     :format(first, last, set_up.mu))
   print(force_table(cases))
   files:draw("states.png", "an accepted step", function(file)
-    return draw_states(file, ("Ironing for validation, %s at %s spans"):format(options.orders[1], mesh), 2)
+    return draw_states(file, ("Ironing for validation, %s at %s elements"):format(options.orders[1], mesh), 2)
   end)
   files:draw("forces.png", "an accepted step", function(file)
-    return output.draw_forces(file, cases, ("Ironing for validation, %s spans"):format(mesh))
+    return output.draw_forces(file, cases, ("Ironing for validation, %s elements"):format(mesh))
   end)
   files:draw("Py.png", "runs that reach the middle of the sliding", function(file)
     return draw_magnified(file, cases, set_up, "grip.fy", -1, "pressing force Py")

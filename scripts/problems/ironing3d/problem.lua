@@ -9,7 +9,7 @@ problem.published_depth = 10.4 -- displacement of the indenter, including the ga
 problem.down, problem.along = 0.2, 0.3 -- steps of the published path: 52 down, 250 along
 local start, finish = 12.5, 87.5 -- x of the indenter's center on the published path
 
---- Elements of indenter and slab by mesh; fine halves every span of coarse.
+--- Elements of indenter and slab by mesh; fine halves every element of coarse.
 problem.meshes = {
   sparse = { indenter = { 3, 3, 2 }, slab = { 9, 3, 2 } },
   coarse = { indenter = { 5, 5, 3 }, slab = { 18, 6, 4 } },
@@ -30,8 +30,8 @@ end
 
 --- Indenter and slab of a case { order, mesh, radius }, the indenter's lowest point touching the slab at x = `center`,
 --- y = 15. `fineness` multiplies the elements of the mesh in each direction (1); `layer`: by body, as in sg.body.
---- `cap` is the number of biquadratic spans per direction that the sphere consists of: one, as published, has no inner
---- knots, so that DOFs are those of a block; with more, their knots remain C¹ for any order.
+--- `cap` is the number of biquadratic elements per direction of which the sphere consists: one, as published, has no
+--- inner knots, so that DOFs are those of a block; with more, their knots remain C¹ for any order.
 function problem.bodies(case, center)
   local elements = finer(problem.meshes[case.mesh], case.fineness or 1)
   local material = sg.neo_hookean{ E = 1, nu = 0.3 }

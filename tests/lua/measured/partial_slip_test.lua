@@ -13,7 +13,7 @@ local function each_state(body)
   for _, case in ipairs(study.cases) do
     check.equal(#case.states, 3)
     for i, state in ipairs(case.states) do
-      body(("%s, %d spans, load %d"):format(case.formulation.label, case.count, i), state, case)
+      body(("%s, %d elements, load %d"):format(case.formulation.label, case.count, i), state, case)
     end
   end
 end
@@ -29,7 +29,7 @@ check.case("the closed form: the traction's integral is Q", function()
   end
 end)
 
-check.case("loads of 0.3, 0.7 and 0.95 of mu P; the stick zone is right within the length of a span", function()
+check.case("loads of 0.3, 0.7 and 0.95 of mu P; the stick zone is right within the length of an element", function()
   each_state(function(name, state, case)
     check.within(name, state.c, state.expected, 1 / case.count)
   end)
@@ -57,11 +57,11 @@ check.case("sticking points slip by the traction over the tangential penalty, wi
     local a = 0.00984 -- half-width, to 0.2 %
     local p0 = problem.young * a / (2 * problem.radius * (1 - problem.poisson ^ 2))
     local penalty = 10 * problem.young * case.count / problem.half_width
-    -- Multipliers hold on average over their supports, so the zone must contain a few spans.
+    -- Multipliers hold on average over their supports, so the zone must contain a few elements.
     local wide = state.expected * case.count > 2
     check.within_share(name, state.mean_slip * a, sum / count * problem.mu * p0 / penalty, wide and 0.05 or 0.15)
   end)
-  -- Multipliers hold the averages over their supports, which is nearly the mean of a zone of a few spans.
+  -- Multipliers hold the averages over their supports, which is nearly the mean of a zone of a few elements.
   for i = 1, 2 do
     for _, case in ipairs(multipliers.cases) do
       check.at_most(case.formulation.label, case.states[i].mean_slip,

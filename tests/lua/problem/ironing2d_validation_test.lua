@@ -1,4 +1,4 @@
--- scripts/problems/ironing2d.lua variant=validation on half of the published spans.
+-- scripts/problems/ironing2d.lua variant=validation on half of the published elements.
 
 require "check"
 
