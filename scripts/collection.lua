@@ -7,9 +7,11 @@
 -- Units: named in each file.
 -- Expected: all results but those of comparisons within tolerance and uncertainty of their references.
 -- Run: signorini collection.lua [benchmarks=B1,…,B13] [formulations=gpts,equal,equal-multipliers] [mesh=1]
---      [errors=yes] [out=out/collection]; mesh: factor of all numbers of elements; errors: error bars
+--      [errors=yes] [out=out/collection] [page=]; mesh: factor of all numbers of elements; errors: error bars; page:
+--      folder of collection.md, whose table is filled, and of its file collection.json
 
 local sg = require "signorini"
+local page_table = require "collection.page_table"
 local rows = require "formulations.rows"
 local solve = require "collection.solve"
 
@@ -25,9 +27,9 @@ end
 
 local options = sg.arguments{
   benchmarks = { names, choices = names }, formulations = rows.argument{ "gpts", "equal", "equal-multipliers" },
-  mesh = { 1.0, above = 0 }, errors = true, out = "out/collection",
+  mesh = { 1.0, above = 0 }, errors = true, out = "out/collection", page = "",
 }
-local files = sg.files(options.out)
+local files, tables = sg.files(options.out), require "page.tables"
 
 -- ── Cases ────────────────────────────────────────────────────────────────────────────────────────────────────────────
 
@@ -52,10 +54,11 @@ local function variant_of(case)
   end
 end
 
+local mesh, errors = options.mesh, options.errors -- alone, so that other options do not make cases new
 local solved = sg.study{
   name = "cases", folder = options.out .. "/cases", cases = cases,
   run = function(case)
-    return solve.case(benchmarks[case.benchmark], variant_of(case), case.formulation, options.mesh, options.errors)
+    return solve.case(benchmarks[case.benchmark], variant_of(case), case.formulation, mesh, errors)
   end,
 }:execute{}
 
@@ -108,13 +111,11 @@ print(sg.table{ columns = columns, rows = table_rows,
 
 -- ── Files ────────────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- Program, host and processor of the first case.
-local function made()
-  for _, record in pairs(solved.records) do return record.made end
-end
-
+local data = { script = "scripts/collection.lua", made = tables.made{ { study = solved } }, mesh = options.mesh,
+               tables = { page_table.of(entries, benchmarks) }, results = entries }
 sg.csv.write(files "collection.csv", { columns = columns, rows = table_rows })
-sg.json.write(files "collection.json", { made = made(), mesh = options.mesh, rows = entries })
+sg.json.write(files "collection.json", data)
+if options.page ~= "" then tables.write(options.page .. "/collection", data) end
 
 local text = {}
 for _, name in ipairs(options.benchmarks) do

@@ -10,6 +10,7 @@ end
 
 return {
   name = "B10", title = "Block on an incline",
+  cites = "NAFEMS CGS-4; FrontISTR",
   source = "NAFEMS CGS-4; FrontISTR tutorial MR 599. Closed form: F/G = (tan α + μ)/(1 − μ tan α)",
   units = "any", formulations = { "gpts", "equal", "equal-multipliers" }, variants = exact,
   set_up = { width = 4, height = 1, E = 1000, nu = 0.3, slope = 0.1, weight = 1, push = 0.02, elements = { 8, 2 } },

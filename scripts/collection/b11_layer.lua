@@ -10,6 +10,7 @@ end
 
 return {
   name = "B11", title = "Flat punch on a bonded layer", units = "radius of the punch, shear modulus",
+  cites = "Fredholm equation; Hayes et al. 1972",
   source = "closed form: Fredholm equation of the layer's compliance, collection/layer.lua; W. C. Hayes et al., "
     .. "J. Biomech. 5, 1972, 541-551, print 2.480 (ν = 0.3) and 3.609 (ν = 0.5)",
   formulations = { "gpts", "equal", "equal-multipliers" },

@@ -11,6 +11,7 @@ end
 
 return {
   name = "B12", title = "Wavy surface", units = "wavelength, Young's modulus",
+  cites = "Westergaard 1939",
   source = "H. M. Westergaard, J. Appl. Mech. 6, 1939; K. L. Johnson, Contact Mechanics, 1985, 13.2",
   formulations = { "gpts", "equal", "equal-multipliers" }, variants = variants,
   set_up = { wavelength = 1, height = 2, amplitude = 1e-4, E = 1, nu = 0.3, elements = { 40, 30 } },

@@ -31,6 +31,7 @@ end
 
 return {
   name = "B13", title = "Column between walls", units = "thickness, Young's modulus",
+  cites = "Chai 1998, beam theory",
   source = "H. Chai, Int. J. Solids Struct. 35, 1998; closed form: beam theory, in the file; a side load of a "
     .. "thousandth of P_E starts the buckling",
   formulations = { "gpts", "equal", "equal-multipliers" }, set_up = set_up, variants = variants,

@@ -26,6 +26,7 @@ end
 
 return {
   name = "B1", title = "Cylinder roller", units = "mm, N",
+  cites = "NAFEMS R0094, 1; Code_Aster SSNP154; Hertz",
   source = "A. Konter, Advanced finite element contact benchmarks, NAFEMS R0094, 2006, 1; Code_Aster V6.03.154 "
     .. "(SSNP154), quadratic elements with μ = 0.1, linear ones with μ = 0; Hertz",
   formulations = { "gpts", "equal", "equal-multipliers" }, set_up = set_up,

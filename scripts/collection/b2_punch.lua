@@ -9,6 +9,7 @@ end
 
 return {
   name = "B2", title = "Punch with a rounded edge", units = "mm, N",
+  cites = "NAFEMS R0094, 2; Code_Aster SSNA122",
   source = "A. Konter, Advanced finite element contact benchmarks, NAFEMS R0094, 2006, 2; Code_Aster V6.01.122 "
     .. "(SSNA122), whose two meshes differ by the uncertainty",
   formulations = { "gpts", "equal", "equal-multipliers" },

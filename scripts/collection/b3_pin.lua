@@ -4,6 +4,7 @@
 
 return {
   name = "B3", title = "Pin in a bore with friction", units = "mm, N",
+  cites = "Klang; Code_Aster SSNV127",
   source = "M. Klang, On interior contact under friction between cylindrical elastic bodies, Linköping, 1979, and P. "
     .. "Alart, A. Curnier, Comput. Methods Appl. Mech. Eng. 92, 1991, as printed in Code_Aster V6.04.127 (SSNV127)",
   formulations = { "gpts", "equal", "equal-multipliers" },

@@ -9,6 +9,7 @@ end
 
 return {
   name = "B4", title = "Plate on a plane with friction", units = "mm, N; u_x in µm",
+  cites = "GRECO; Code_Aster SSNV128",
   source = "R. A. Feijóo, H. J. C. Barbosa, N. Zouain, J. Theor. Appl. Mech.; Code_Aster V6.04.128 (SSNV128), means of "
     .. "several programs",
   formulations = { "gpts", "equal", "equal-multipliers" },

@@ -11,6 +11,7 @@ end
 
 return {
   name = "B5", title = "Half ring pushed into a block", units = "mm, N",
+  cites = "Poulios, Renard 2015; Kratos",
   source = "K. Poulios, Y. Renard, Comput. Struct. 153, 2015; Kratos, contact_structural_mechanics/validation/"
     .. "double_arch",
   formulations = { "gpts", "equal", "equal-multipliers" },

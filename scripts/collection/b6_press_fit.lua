@@ -3,6 +3,7 @@
 
 return {
   name = "B6", title = "Press fit", units = "mm, N",
+  cites = "Fischer, Wriggers 2006; Kratos",
   source = "K. A. Fischer, P. Wriggers, Comput. Methods Appl. Mech. Eng. 195, 2006; Kratos, "
     .. "contact_structural_mechanics/validation/press_fit: peak and end of its curve \"Reference\", read to 1 %",
   formulations = { "gpts", "equal", "equal-multipliers" },

@@ -19,6 +19,7 @@ end
 
 return {
   name = "B7", title = "Tractive rolling", units = "radius of the cylinder, Young's modulus",
+  cites = "Carter 1926, derived",
   source = "F. W. Carter, Proc. R. Soc. A 112, 1926; K. L. Johnson, Contact Mechanics, 1985, 8.3; derived in the file",
   formulations = { "gpts", "equal" }, variants = variants, set_up = set_up,
   scene = function(s, variant, tools)

@@ -12,6 +12,7 @@ end
 
 return {
   name = "B8", title = "Pull-off of a sphere", units = "radius, Young's modulus",
+  cites = "Bradley 1932; Carpick et al. 1999",
   source = "R. S. Bradley, Phil. Mag. 13, 1932; D. Maugis, J. Colloid Interface Sci. 150, 1992; R. W. Carpick, D. F. "
     .. "Ogletree, M. Salmeron, J. Colloid Interface Sci. 211, 1999",
   formulations = { "gpts" }, variants = { variant(0.05), variant(0.5), variant(1.5) },

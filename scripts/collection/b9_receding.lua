@@ -5,6 +5,7 @@ local expected = { { name = "a/h", value = width, tolerance = 0.01, kind = "clos
 
 return {
   name = "B9", title = "Receding contact of a layer", units = "thickness of the layer, Young's modulus",
+  cites = "integral equation; Keer et al. 1972",
   source = "closed form: integral equation of the layer's and the half-plane's compliance, collection/layer.lua; "
     .. "L. M. Keer, J. Dundurs, K. C. Tsai, J. Appl. Mech. 39, 1972, 1115-1120: about 1.35",
   formulations = { "gpts", "equal", "equal-multipliers" },

@@ -25,7 +25,7 @@
 --      Finished cases are kept in `out`.
 
 local sg = require "signorini"
-local page = require "studies.accuracy.page"
+local page = require "page.tables"
 local study = require "studies.accuracy.study"
 
 local names = { "ironing", "hertz", "rings", "peeling", "ironing3d" }

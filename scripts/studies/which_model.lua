@@ -17,7 +17,7 @@
 --      the least time; page: folder of the page, such as share/doc/decide. Finished cases are kept in `out`.
 
 local sg = require "signorini"
-local page = require "studies.accuracy.page"
+local page = require "page.tables"
 local study = require "studies.accuracy.study"
 
 local names = { "ironing", "cylinder", "sphere", "peeling", "o_ring", "pin" }

@@ -3,12 +3,12 @@
 
 require "check"
 
-local page = require "studies.accuracy.page"
+local page = require "page.tables"
 local folder = check.folder()
 
 -- ── Pages and the files from which they are made ─────────────────────────────────────────────────────────────────────
 
-for _, name in ipairs { "evidence/speed_against_accuracy", "decide/which_model" } do
+for _, name in ipairs { "evidence/speed_against_accuracy", "decide/which_model", "evidence/collection" } do
   local base = ("%s/doc/%s"):format(core.share, name)
   check.case(name .. ".md has the figures of " .. name .. ".json", function()
     local text = core.read_file(base .. ".md")
