@@ -53,8 +53,8 @@ function page_table.of(entries, benchmarks)
     local name = group.first.benchmark
     local benchmark = name ~= last and benchmarks[name]
     rows[i] = { benchmark and name .. " " .. benchmark.title or "",
-                group.first.variant .. ": " .. table.concat(group.quantities, "; "), benchmark and benchmark.cites or "",
-                table.concat(group.references, "; ") }
+                group.first.variant .. ": " .. table.concat(group.quantities, "; "),
+                benchmark and benchmark.cites or "", table.concat(group.references, "; ") }
     for k, formulation in ipairs(formulations) do
       rows[i][4 + k] = group.results[formulation[1]] and table.concat(group.results[formulation[1]], "; ") or false
     end
