@@ -15,8 +15,7 @@
 --          variant=deep: E = 10000 (die), mu = 0.1, pressed by 0.5: which discretizations converge with p + 1, 2(p + 1)
 --          and 3(p + 1) contact points, with and without halving of failed steps.
 --          variant=validation: mu = 0.3, die from x = 0.5, pressed by 0.075 in 10 steps, dragged by 2 in 200 steps,
---          meshes 48 × 8 and 48 × 24: forces of N2 and N4. variant=cost: its path in fewer steps on coarser meshes,
---          oscillation over processor time.
+--          meshes 48 × 8 and 48 × 24: forces of N2 and N4.
 -- Source: V. Agrawal, An Accurate and Efficient Varying Order NURBS Discretization Method for Isogeometric Analysis of
 --         Contact Problems, PhD thesis, IIT Guwahati, 2020, sections 6.2 and 7.1, Tables 7.2 and 7.3, Figures 6.5, 7.3
 --         to 7.11. Plain Newton, as published.
@@ -26,20 +25,17 @@
 --           points higher than printed. The oscillation is max − min over steps 110 to 165, about one element pitch in
 --           the middle of the slab. Deep: all discretizations converge with p + 1 and 3(p + 1) contact points, N2 does
 --           not with 2(p + 1); with halved steps all converge (thesis: N2 fails at m1). Validation: Py = 0.054, Px =
---           0.29 Py in the middle of the sliding, for both N2 and N4. Cost: in 110 steps N2-N2.1 on 26 × 2 elements
---           oscillates by 0.33 % (Px) and 0.17 % (Py) in less than half of the time of N2-N2.2 on 24 × 6.
+--           0.29 Py in the middle of the sliding, for both N2 and N4.
 -- Run: signorini ironing2d.lua [mesh=m1] [orders=N2,N4,N6,N2-N4,N2-N6,N2-N2.1,N2-N2.2,N2-N2.3] [repeat=1]
 --      [linear=auto] [out=out/ironing2d]; several meshes (mesh=m1,m2,m3,m4) add charts over the mesh and times at equal
 --      accuracy; times are medians of `repeat` runs; linear: sparse solver, as for model:run.
 --      signorini ironing2d.lua variant=deep [mesh=m1] [orders=…] [points=1,2,3] [coarser=1,2]; points:
 --      multiples of p + 1; coarser: factors on the step size.
 --      signorini ironing2d.lua variant=validation [mesh=48] [orders=N2,N4]; mesh: elements along both faces.
---      signorini ironing2d.lua variant=cost [steps=110,66,44] [repeat=3]; steps: 1 of 11 presses.
 
 local sg = require "signorini"
 local measure = require "problems.ironing2d.measure"
 local convergence = require "problems.ironing2d.convergence"
-local cost = require "problems.ironing2d.cost"
 local deep = require "problems.ironing2d.deep"
 local output = require "problems.ironing2d.output"
 local problem = require "problems.ironing2d.problem"
@@ -129,11 +125,10 @@ local options = sg.arguments{
     standard = { ["repeat"] = 1, out = "out/ironing2d" },
     deep = { points = { 1, 2, 3 }, coarser = { 1, 2 }, out = "out/ironing2d_deep" },
     validation = { mesh = problem.meshes "48", orders = { "N2", "N4" }, out = "out/ironing2d_validation" },
-    cost = { steps = { 110, 66, 44 }, ["repeat"] = 3, out = "out/ironing2d_cost" },
   } },
 }
 local files = sg.files(options.out)
-local variants = { standard = standard, deep = deep.run, validation = validation.run, cost = cost.run }
+local variants = { standard = standard, deep = deep.run, validation = validation.run }
 local result = variants[options.variant](options, files)
 files:report()
 result.files = files

@@ -108,8 +108,8 @@ check.case("wrong arguments", function()
     ["msh=m1"] = "unknown argument 'msh=m1'; did you mean 'mesh'? known with variant=standard: linear=auto, ",
     ["orders=N2,Q7"] = "Q7", ["deep"] = "unknown argument 'deep'", ["repeat=0"] = "repeat must be a whole number",
     ["mesh=m1,m9"] = "mesh must be m1 to m6, or a multiple of 6 as the elements along both faces, got 'm9' in 'm1,m9'",
-    ["variant=steep"] = "variant must be 'standard', 'cost', 'deep' or 'validation', got 'steep'",
-    ["variant=deep repeat=3"] = "'repeat=3', which belongs to variant=standard, variant=cost; "
+    ["variant=steep"] = "variant must be 'standard', 'deep' or 'validation', got 'steep'",
+    ["variant=deep repeat=3"] = "'repeat=3', which belongs to variant=standard; "
       .. "known with variant=deep: coarser=1,2",
     ["variant=validation mesh=24,48"] = "got '24,48'", ["mesh=20"] = "a multiple of 6",
   })
