@@ -51,8 +51,9 @@ end)
 
 check.case("files", function()
   local data = sg.json.read(folder .. "/collection.json")
-  check.equal({ #data.rows, data.made.versions.signorini ~= nil, data.made.processor ~= nil },
-    { #study.rows, true, true })
+  check.equal({ #data.results, data.made.signorini ~= "?", data.made.processor ~= "?" }, { #study.rows, true, true })
+  local rows = data.tables[1].rows
+  check.equal({ rows[1][1], rows[1][2]:match "^[^;]*", rows[2][1] }, { "B1 Cylinder roller", "μ = 0: u_y", "" })
   check.equal(#sg.csv.read(folder .. "/collection.csv").rows, #study.rows)
   check.holds(core.read_file(folder .. "/collection.html"), "Receding contact of a layer", "integral equation")
 end)
