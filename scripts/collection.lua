@@ -29,6 +29,9 @@ local options = sg.arguments{
   benchmarks = { names, choices = names }, formulations = rows.argument{ "gpts", "equal", "equal-multipliers" },
   mesh = { 1.0, above = 0 }, errors = true, out = "out/collection", page = "",
 }
+if options.page ~= "" and not (#options.benchmarks == #names and #options.formulations == 3 and options.errors) then
+  error("page: its table has all benchmarks with all formulations and error bars; leave these arguments out", 0)
+end
 local files, tables = sg.files(options.out), require "page.tables"
 
 -- ── Cases ────────────────────────────────────────────────────────────────────────────────────────────────────────────

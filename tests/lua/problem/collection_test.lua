@@ -58,6 +58,10 @@ check.case("files", function()
   check.holds(core.read_file(folder .. "/collection.html"), "Receding contact of a layer", "integral equation")
 end)
 
+check.case("a page is not filled with a part", function()
+  check.fails(function() check.study("collection", "benchmarks=B10", "page=" .. folder) end, "all benchmarks")
+end)
+
 check.case("wrong arguments", function()
   check.refused("collection", { ["benchmarks=B14"] = "B14", ["mesh=0"] = "mesh must be",
     ["formulations=x"] = "got 'x'" })
