@@ -7,8 +7,8 @@
 -- Units: named in each file.
 -- Expected: all results but those of comparisons within tolerance and uncertainty of their references.
 -- Run: signorini collection.lua [benchmarks=B1,…,B13] [formulations=gpts,equal,equal-multipliers] [mesh=1]
---      [errors=yes] [out=out/collection] [page=]; mesh: factor of all numbers of elements; errors: error bars; page:
---      folder of collection.md, whose table is filled, and of its file collection.json
+--      [errors=yes] [out=out/collection] [page=none]; mesh: factor of all numbers of elements; errors: error bars;
+--      page: folder of collection.md, whose table is filled, and of its file collection.json
 
 local sg = require "signorini"
 local page_table = require "collection.page_table"
@@ -27,9 +27,9 @@ end
 
 local options = sg.arguments{
   benchmarks = { names, choices = names }, formulations = rows.argument{ "gpts", "equal", "equal-multipliers" },
-  mesh = { 1.0, above = 0 }, errors = true, out = "out/collection", page = "",
+  mesh = { 1.0, above = 0 }, errors = true, out = "out/collection", page = "none",
 }
-if options.page ~= "" and not (#options.benchmarks == #names and #options.formulations == 3 and options.errors) then
+if options.page ~= "none" and not (#options.benchmarks == #names and #options.formulations == 3 and options.errors) then
   error("page: its table has all benchmarks with all formulations and error bars; leave these arguments out", 0)
 end
 local files, tables = sg.files(options.out), require "page.tables"
@@ -118,7 +118,7 @@ local data = { script = "scripts/collection.lua", made = tables.made{ { study = 
                tables = { page_table.of(entries, benchmarks) }, results = entries }
 sg.csv.write(files "collection.csv", { columns = columns, rows = table_rows })
 sg.json.write(files "collection.json", data)
-if options.page ~= "" then tables.write(options.page .. "/collection", data) end
+if options.page ~= "none" then tables.write(options.page .. "/collection", data) end
 
 local text = {}
 for _, name in ipairs(options.benchmarks) do

@@ -16,6 +16,7 @@
 local sg = require "signorini"
 local rows = require "formulations.rows"
 local hertz2d = require "problems.hertz2d.problem"
+local mean_and_oscillation = require("studies.accuracy.force").mean_and_oscillation
 
 local options = sg.arguments{
   problems = { { "ironing", "hertz" }, choices = { "ironing", "hertz" } },
@@ -27,31 +28,6 @@ local limit = { Px = 0.0160, Py = 0.0550, share = 0.005 }
 local home = (arg and arg[0] or ""):match "^(.*)/scripts/[^/]*$" or os.getenv "SIGNORINI_HOME" or "."
 
 -- ── This program ─────────────────────────────────────────────────────────────────────────────────────────────────────
-
---- Peak-to-peak value of a list without its least-squares parabola, in % of its mean; and the mean.
-local function oscillation(values)
-  local n, sums, mean = #values, { 0, 0, 0 }, 0
-  local basis = {} -- orthogonal polynomials of degree 0, 1, 2 on equal steps
-  for i = 1, n do
-    local t = 2 * (i - 1) / (n - 1) - 1
-    basis[i] = { 1, t, t * t - (n + 1) / (3 * (n - 1)) }
-    mean = mean + values[i] / n
-  end
-  for k = 1, 3 do
-    local norm = 0
-    for i = 1, n do
-      sums[k], norm = sums[k] + values[i] * basis[i][k], norm + basis[i][k] ^ 2
-    end
-    sums[k] = sums[k] / norm
-  end
-  local low, high = math.huge, -math.huge
-  for i = 1, n do
-    local rest = values[i]
-    for k = 1, 3 do rest = rest - sums[k] * basis[i][k] end
-    low, high = math.min(low, rest), math.max(high, rest)
-  end
-  return 100 * (high - low) / math.abs(mean), mean
-end
 
 --- Own settings of ironing: { formulation, elements of slab and die, penalty }.
 local own_ironing = {
@@ -84,12 +60,12 @@ local function iron(setting, slide)
       forces[k][#forces[k] + 1] = math.abs(column[step])
     end
   end
-  local ox, Px = oscillation(forces[1])
-  local oy, Py = oscillation(forces[2])
+  local Px, ox = mean_and_oscillation(forces[1])
+  local Py, oy = mean_and_oscillation(forces[2])
   local name = ("%s %d×%d/%d×%d%s"):format(formulation, nx[1], nx[2], nd[1], nd[2],
                                          penalty and (" penalty %g"):format(penalty) or "")
   return { name = name, unknowns = model:cost().unknowns, iterations = run.iterations, time = spent,
-           Px = Px, Py = Py, ox = ox, oy = oy }
+           Px = Px, Py = Py, ox = 100 * ox / Px, oy = 100 * oy / Py }
 end
 
 --- Own settings of Hertz: { formulation, mesh }.

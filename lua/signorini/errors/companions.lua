@@ -162,8 +162,9 @@ local function has_history(scene)
   end)
 end
 
---- The changes besides the mesh, each with `on`: the name of the companion from which alone it differs. In the plane it
---- is "2h", but for the row, of which only a share is wanted; else `coarse`, "4h" unless that has failed.
+--- The changes besides the mesh, each with `on`: the name of the companion from which alone it differs, and `given`:
+--- its value of what differs. In the plane `on` is "2h", but for the row, of which only a share is wanted; else
+--- `coarse`, "4h" unless that has failed.
 local function other_changes(scene, on_mesh, with_row, coarse)
   local _, directions = remade.size(scene.model)
   local factors = { points = 2, penalty = 1 / 2, steps = 1 / 2 }
@@ -175,15 +176,15 @@ local function other_changes(scene, on_mesh, with_row, coarse)
   return lists.map(names, function(name)
     local on = directions == 2 and name ~= "row" and "2h" or coarse
     local settings = on_mesh(on == "2h" and 1 / 2 or 1 / 4)
-    return lists.merged(settings, { name = name, on = on,
-                                    [name] = name == "row" or factors[name] * (settings[name] or 1) })
+    local given = settings[name] or 1
+    return lists.merged(settings, { name = name, on = on, given = given,
+                                    [name] = name == "row" or factors[name] * given })
   end)
 end
 
 --- Adds what is missing to the records of the companions of a scene by name: "2h", "4h", "penalty", …; on_mesh(factor):
 --- the settings of the scene with so many times the elements. only_mesh: no others than the first two; with_row: also
---- with a richer row. Records of the others have `base`, that of the companion from which they differ, and `given`, its
---- value of what differs.
+--- with a richer row. Records of the others have `on` and `given` of their changes, and `base`, that of `on`.
 function companions.solve(scene, on_mesh, records, only_mesh, with_row)
   local function solve_missing(coarse)
     local changes = { lists.merged(on_mesh(1 / 2), { name = "2h" }), lists.merged(on_mesh(1 / 4), { name = "4h" }) }
@@ -192,8 +193,7 @@ function companions.solve(scene, on_mesh, records, only_mesh, with_row)
     companions.solve_all(scene, missing, records)
     for _, change in ipairs(others) do
       local record = records[change.name]
-      record.base, record.on = records[change.on], change.on
-      record.given = on_mesh(change.on == "2h" and 1 / 2 or 1 / 4)[change.name] or 1
+      record.base, record.on, record.given = records[change.on], change.on, change.given
     end
   end
   local known = records["4h"]

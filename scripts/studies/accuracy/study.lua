@@ -29,7 +29,7 @@ function study.find(rows, case)
   end
 end
 
---- "12.3 to 14.5": the range of processor times of a case over the rounds.
+--- The least and the largest processor time of a case over the rounds, in s.
 local function spread(rows, case)
   local low, high = math.huge, 0
   for _, row in ipairs(rows) do
