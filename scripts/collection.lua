@@ -41,7 +41,7 @@ for _, name in ipairs(options.benchmarks) do
   local benchmark = require("collection." .. files_of[name])
   benchmarks[name] = benchmark
   for _, variant in ipairs(benchmark.variants) do
-    for _, formulation in ipairs(benchmark.formulations) do
+    for _, formulation in ipairs(variant.formulations or benchmark.formulations) do
       for _, wanted in ipairs(options.formulations) do
         if wanted == formulation then
           cases[#cases + 1] = { benchmark = name, variant = variant.name, formulation = formulation }

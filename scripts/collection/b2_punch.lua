@@ -1,7 +1,9 @@
 -- B2: a steel punch with a rounded edge on an aluminum foundation, NAFEMS contact benchmark 2.
 
---- The pressure is singular at the edge of the contact, so that values on the axis depend on the mesh: u_y and σ_yy of
---- these elements tend to -0.1339 and -87.1 without friction.
+--- Printed values: of quadratic elements, whose difference from those of linear ones is the uncertainty. Friction makes
+--- |σ_yy| smaller with the linear ones (-91.10, -88.67) and larger with the quadratic ones, as here; the stresses are
+--- extrapolated to the node on the axis. The pressure is steep at the edge of the contact: u_y and σ_yy of the elements
+--- here tend to -0.1339 and -87.1 without friction. Laws for large strains change them by 0.2 % or less.
 local function expected(uy, syy, spread_u, spread_s)
   return { { name = "u_y", value = uy, uncertainty = spread_u, kind = "comparison" },
            { name = "σ_yy", value = syy, uncertainty = spread_s, kind = "comparison" } }
@@ -11,13 +13,13 @@ return {
   name = "B2", title = "Punch with a rounded edge", units = "mm, N",
   cites = "NAFEMS R0094, 2; Code_Aster SSNA122",
   source = "A. Konter, Advanced finite element contact benchmarks, NAFEMS R0094, 2006, 2; Code_Aster V6.01.122 "
-    .. "(SSNA122), whose two meshes differ by the uncertainty",
+    .. "(SSNA122), files ssna122a to d",
   formulations = { "gpts", "equal", "equal-multipliers" },
   set_up = { punch = { radius = 50, height = 100, fillet = 10, E = 210000 }, nu = 0.3, pressure = 100,
              foundation = { radius = 100, height = 200, E = 70000 },
              elements = { punch = { 24, 12 }, foundation = { 40, 20 } } },
-  variants = { { name = "μ = 0", mu = 0, expected = expected(-0.132941, -94.12, 4.4e-5, 0.49) },
-               { name = "μ = 0.1", mu = 0.1, expected = expected(-0.130794, -95.47, 4.4e-5, 0.49) } },
+  variants = { { name = "μ = 0", mu = 0, expected = expected(-0.132941, -94.12, 2.2e-3, 3.1) },
+               { name = "μ = 0.1", mu = 0.1, expected = expected(-0.130794, -95.47, 2.3e-3, 6.9) } },
   scene = function(s, variant, tools)
     local sg, count = require "signorini", tools.count
     local p, f, e = s.punch, s.foundation, s.elements
