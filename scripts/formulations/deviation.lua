@@ -4,17 +4,16 @@ local smooth = require "stability.smooth"
 
 local deviation = {}
 
---- The pressures of a plane profile per current area, also where the profile has them per reference area (mortar): p
---- times dA/da, with ds/dS of both neighbors of a point, in a revolved scene times r/R. The area under a contact
---- shrinks, here by (1 + nu)(1 − 2 nu) p/E, more than a formulation's error.
-function deviation.cauchy_pressures(profile, formulation, revolved)
-  if formulation.keys.method ~= "mortar" then return profile.pressure end
+--- The pressures of a plane profile per current area: p of the profile, in mortar contact, which has pressures per
+--- reference area, times dA/da from ds/dS of both neighbors of a point.
+function deviation.cauchy_pressures(profile, mortar)
+  if not mortar then return profile.pressure end
   local list, last = {}, #profile.x
   for i, pressure in ipairs(profile.pressure) do
     local a, b = math.max(i - 1, 1), math.min(i + 1, last)
     local current = math.sqrt((profile.x[b] - profile.x[a]) ^ 2 + (profile.y[b] - profile.y[a]) ^ 2)
     local reference = math.sqrt((profile.X[b] - profile.X[a]) ^ 2 + (profile.Y[b] - profile.Y[a]) ^ 2)
-    list[i] = pressure * reference / current * (revolved and profile.X[i] / profile.x[i] or 1)
+    list[i] = pressure * reference / current
   end
   return list
 end
