@@ -1,6 +1,6 @@
 -- Contact formulations compared: time at equal error of forces and pressures, and what single scripts measure.
 --
--- Problem: ironing in the plane and in 3D and Hertz's line contact (problems.lua) with Gauss points, mortar contact with
+-- Problem: ironing in the plane and in 3D, Hertz's line contact (problems.lua) with Gauss points, mortar contact with
 --          a penalty and with multipliers, and two half passes, on several meshes, by the default controls and with the
 --          default penalty. Parts: scripts of this folder with the words that parts.lua has.
 --
@@ -17,8 +17,8 @@
 -- Expected: see share/doc/decide/formulations.md. About ten minutes on one processor.
 -- Run: signorini formulations/compare.lua [problems=all] [parts=all] [meshes=all] [rounds=3]
 --      [out=out/formulations] [page=none]; problems, parts: names, or none; meshes: of the problems; rounds: runs of
---      the plane problems, for the least time; page: folder of the page, such as share/doc/decide, which needs all problems
---      and parts. Finished cases are kept in `out`.
+--      the plane problems, for the least time; page: folder of the page, such as share/doc/decide, which needs all
+--      problems and parts. Finished cases are kept in `out`.
 
 local sg = require "signorini"
 local page = require "page.tables"

@@ -1,6 +1,6 @@
 -- What compare.lua takes from other scripts: by name, the script, the words it is called with, and rows(study), the
--- rows of its table, made of what the script returns. Those of parts.joined have one row for each of five formulations, and
--- are columns of one table. Texts of several numbers: "a / b".
+-- rows of its table, made of what the script returns. Those of parts.joined have one row for each of five
+-- formulations, and are columns of one table. Texts of several numbers: "a / b".
 
 local formulations = require "formulations.rows"
 
@@ -91,7 +91,8 @@ parts.die = {
         list[#list + 1] = { slab, slave, at[slab .. slave] }
       end
       local drag, oscillation = row[8] and ("%.5f"):format(row[8]), row[10] and ("%.2f"):format(row[10])
-      for i, cell in ipairs{ ("%.1f"):format(row[5]), ("%d"):format(row[6]), drag or "fails", oscillation or "fails" } do
+      local cells = { ("%.1f"):format(row[5]), ("%d"):format(row[6]), drag or "fails", oscillation or "fails" }
+      for i, cell in ipairs(cells) do
         table.insert(at[slab .. slave][i], cell)
       end
     end
