@@ -70,8 +70,7 @@ for _, name in ipairs(options.formulations) do
     local state = solve(formulations[name], penalty)
     state.penalty = penalty
     if state.s and limit.s then
-      state.difference = deviation.inside(state.s, state.traction, deviation.interpolant(limit.s, limit.traction),
-        1.3).l2
+      state.difference = deviation.l2(state.s, state.traction, deviation.interpolant(limit.s, limit.traction), 1.3)
     end
     list[i] = state
   end
