@@ -1,20 +1,17 @@
--- Deviation of a contact profile from a reference inside the contact zone: size, largest value, oscillation.
-
-local smooth = require "stability.smooth"
+-- Contact profiles and their deviation from a reference inside the contact zone.
 
 local deviation = {}
 
---- The pressures of a plane profile per current area, also where the profile has them per reference area (mortar): p
---- times dA/da, with ds/dS of both neighbors of a point, in a revolved scene times r/R. The area under a contact
---- shrinks, here by (1 + nu)(1 − 2 nu) p/E, more than a formulation's error.
-function deviation.cauchy_pressures(profile, formulation, revolved)
-  if formulation.keys.method ~= "mortar" then return profile.pressure end
+--- The pressures of a plane profile per current area: p of the profile, in mortar contact, which has pressures per
+--- reference area, times dA/da from ds/dS of both neighbors of a point.
+function deviation.cauchy_pressures(profile, mortar)
+  if not mortar then return profile.pressure end
   local list, last = {}, #profile.x
   for i, pressure in ipairs(profile.pressure) do
     local a, b = math.max(i - 1, 1), math.min(i + 1, last)
     local current = math.sqrt((profile.x[b] - profile.x[a]) ^ 2 + (profile.y[b] - profile.y[a]) ^ 2)
     local reference = math.sqrt((profile.X[b] - profile.X[a]) ^ 2 + (profile.Y[b] - profile.Y[a]) ^ 2)
-    list[i] = pressure * reference / current * (revolved and profile.X[i] / profile.x[i] or 1)
+    list[i] = pressure * reference / current
   end
   return list
 end
@@ -32,19 +29,18 @@ function deviation.interpolant(x, y)
   end
 end
 
---- The deviation of values at points s from a function reference(s), where |s| <= part: { l2, the square root of its
---- squared integral over s (trapezoidal rule); largest, its greatest size; oscillation, its root mean square after
---- the best fit by an ellipse and a parabola (stability/smooth.lua) is subtracted, nil for fewer than four points }.
-function deviation.inside(s, values, reference, part)
-  local places, list, largest, sum = {}, {}, 0, 0
+--- The square root of the integral over s of the squared deviation of values at points s from a function
+--- reference(s), where |s| <= part (trapezoidal rule).
+function deviation.l2(s, values, reference, part)
+  local sum, last, before = 0, nil, nil
   for i, place in ipairs(s) do
     if math.abs(place) <= part then
-      local d, k = values[i] - reference(place), #places
-      if k > 0 then sum = sum + (place - places[k]) * (d ^ 2 + list[k] ^ 2) / 2 end
-      places[k + 1], list[k + 1], largest = place, d, math.max(largest, math.abs(d))
+      local d = values[i] - reference(place)
+      if last then sum = sum + (place - last) * (d ^ 2 + before ^ 2) / 2 end
+      last, before = place, d
     end
   end
-  return { l2 = math.sqrt(sum), largest = largest, oscillation = smooth.rest_of_hump(places, list) }
+  return math.sqrt(sum)
 end
 
 return deviation

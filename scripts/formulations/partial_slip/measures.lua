@@ -61,7 +61,7 @@ function measures.compare(model, opposites)
   for i, x in ipairs(profile.x) do
     state.s[i], state.traction[i] = x / a, sign * profile.traction[i] / (problem.mu * p0)
   end
-  state.error = deviation.inside(state.s, state.traction, traction, 1.3).l2
+  state.error = deviation.l2(state.s, state.traction, traction, 1.3)
   state.mean_slip, state.largest_slip = slips(model, profile, opposites, 0.8 * c * a)
   state.mean_slip, state.largest_slip = state.mean_slip / a, state.largest_slip / a
   return state

@@ -8,6 +8,8 @@ local settings = {
   ["mortar equal"]        = { contact = { method = "mortar", multipliers = "equal" } },
   ["mortar reduced"]      = { contact = { method = "mortar", multipliers = "reduced" } },
   ["multipliers"]         = { contact = { method = "mortar", enforcement = "multipliers" } },
+  ["reduced multipliers"] = { contact = { method = "mortar", multipliers = "reduced", enforcement = "multipliers" } },
+  ["half passes"]         = { contact = { method = "half_passes" } },
   ["penalty / 10"]        = { stiffness = 0.1 },
   ["published penalty"]   = { stiffness = 1 },
   ["penalty × 10"]        = { stiffness = 10 },

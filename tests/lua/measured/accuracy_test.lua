@@ -8,7 +8,8 @@ local folder = check.folder()
 
 -- ── Pages and the files from which they are made ─────────────────────────────────────────────────────────────────────
 
-for _, name in ipairs { "evidence/speed_against_accuracy", "decide/which_model", "evidence/collection" } do
+for _, name in ipairs { "evidence/speed_against_accuracy", "decide/which_model", "decide/formulations",
+                        "evidence/collection" } do
   local base = ("%s/doc/%s"):format(core.share, name)
   check.case(name .. ".md has the figures of " .. name .. ".json", function()
     local text = core.read_file(base .. ".md")
