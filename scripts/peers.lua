@@ -10,10 +10,12 @@
 -- Expected: GetFEM and this program approach the same limit of the ironing forces, Px = 0.0160 and Py =
 --           0.0550, both ± 0.5 %: fine meshes of three programs.
 -- Run: signorini peers.lua [problems=ironing,hertz] [programs=signorini,getfem,calculix] [effort=full]
---      [out=out/peers]; effort=coarse: one short run of each. Programs that are not installed are left out, with a
---      message; scripts/peers installs them in Debian.
+--      [out=out/peers] [page=none]; effort=coarse: one short run of each; page: folder of collection.md, whose tables
+--      of other programs are filled. Programs that are not installed are left out, with a message; scripts/peers
+--      installs them in Debian.
 
 local sg = require "signorini"
+local page = require "page.tables"
 local rows = require "formulations.rows"
 local hertz2d = require "problems.hertz2d.problem"
 local mean_and_oscillation = require("studies.accuracy.force").mean_and_oscillation
@@ -22,6 +24,7 @@ local options = sg.arguments{
   problems = { { "ironing", "hertz" }, choices = { "ironing", "hertz" } },
   programs = { { "signorini", "getfem", "calculix" }, choices = { "signorini", "getfem", "calculix" } },
   effort = { "full", choices = { "full", "coarse" } }, out = "out/peers",
+  page = "none",
 }
 local files, full = sg.files(options.out), options.effort == "full"
 local limit = { Px = 0.0160, Py = 0.0550, share = 0.005 }
@@ -166,12 +169,19 @@ end
 
 local columns = { ironing = { "program", "name", "unknowns", "iterations", "time", "Px", "Py", "ox", "oy", "error" },
                   hertz = { "program", "name", "unknowns", "iterations", "time", "error", "peak" } }
+local first = { "program", "formulation, mesh", "unknowns", "iterations", "time (s)" }
+local heads = { ironing = { "Px", "Py", "oscillation of Px (%)", "of Py (%)", "error (%)" },
+                hertz = { "error (%)", "peak (%)" } }
+for problem, list in pairs(heads) do heads[problem] = table.move(list, 1, #list, 6, table.move(first, 1, 5, 1, {})) end
+local tables = {}
 for _, problem in ipairs(options.problems) do
   local list, curves, by_label = {}, {}, {}
   for _, result in ipairs(all) do
     if result.problem == problem then
       local row, label = {}, result.program
-      for k, name in ipairs(columns[problem]) do row[k] = result[name] end
+      for k, name in ipairs(columns[problem]) do
+        row[k] = (name == "error" or name == "peak") and 100 * result[name] or result[name]
+      end
       list[#list + 1] = row
       if result.program == "signorini" then label = ("%s %s"):format(label, result.name:match "%S+") end
       local curve = by_label[label]
@@ -182,9 +192,10 @@ for _, problem in ipairs(options.problems) do
       curve.x[#curve.x + 1], curve.y[#curve.y + 1] = result.time, 100 * result.error
     end
   end
-  print(sg.table{ columns = columns[problem], rows = list,
-                  formats = { time = "%.2f", Px = "%.5f", Py = "%.5f", ox = "%.2f", oy = "%.2f", error = "%.4f",
-                              peak = "%+.4f" } })
+  local printed = { columns = columns[problem], rows = list,
+    formats = { time = "%.2f", Px = "%.5f", Py = "%.5f", ox = "%.2f", oy = "%.2f", error = "%.2f", peak = "%+.2f" } }
+  print(sg.table(printed))
+  tables["peers_" .. problem] = page.pick(printed, { 1, 2, 3, 4, 5, 6, 7, 8, 9, 10 }, heads[problem])
   sg.csv.write(files(problem .. ".csv"), { columns = columns[problem], rows = list })
   curves.file, curves.log, curves.xlabel = files(problem .. ".png"), "xy", "processor time (s)"
   curves.title = problem == "ironing" and "Ironing: larger error of drag and pressing force"
@@ -192,7 +203,12 @@ for _, problem in ipairs(options.problems) do
   curves.ylabel = problem == "ironing" and "deviation from the limit (%)" or "L2 error against the half-plane (%)"
   if problem == "ironing" then curves.hlines = { { 100 * limit.share, "uncertainty of the limit" } } end
   sg.chart(curves)
+  if options.page ~= "none" then
+    curves.file = ("%s/peers_%s.png"):format(options.page, problem)
+    sg.chart(curves)
+  end
 end
+page.fill(options, "collection", "peers", tables)
 files:report()
 
 return { results = all }

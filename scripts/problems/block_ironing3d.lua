@@ -34,11 +34,11 @@
 --      press, slide: number of steps; formulation: a row of formulations/rows.lua.
 --      signorini block_ironing3d.lua variant=sixty [orders=N2,N2-N2.1,N2-N2.2] [mesh=4x4x4/8x4x4]
 --      [block_order=same] [layer=whole] [thickness_degree=1] [points=auto] [part=half] [tolerance=1e-10]
---      [line_search=energy] [linear=auto] [out=out/block_ironing3d_sixty]; all but the last three can be lists;
---      block_order: order of the block, if not that of the slab; layer: on the whole upper face of the slab, or below
---      the path of the block; thickness_degree: degree from top to bottom; points: Gauss points per direction of a
---      contact element, auto is 3(p + 1); part: half model up to the plane of symmetry, or whole; tolerance: of the
---      residual, relative to the forces.
+--      [line_search=energy] [linear=auto] [out=out/block_ironing3d_sixty] [page=none]; all but the last four can be
+--      lists; block_order: order of the block, if not that of the slab; layer: on the whole upper face of the slab, or
+--      below the path of the block; thickness_degree: degree from top to bottom; points: Gauss points per direction of
+--      a contact element, auto is 3(p + 1); part: half model up to the plane of symmetry, or whole; tolerance: of the
+--      residual, relative to the forces; page: folder of block_ironing3d.md, whose table of this variant is filled.
 
 local sg = require "signorini"
 local formulations = require "formulations.rows"
@@ -93,7 +93,7 @@ local options = sg.arguments{
               points = { { "auto" }, check = is_count, expected = "whole numbers of at least 1, or auto" },
               part = { { "half" }, choices = { "half", "whole" } },
               line_search = { "energy", choices = { "energy", "residual", "none" } },
-              out = "out/block_ironing3d_sixty" },
+              out = "out/block_ironing3d_sixty", page = "none" },
   } },
 }
 local files = sg.files(options.out)

@@ -16,15 +16,17 @@
 -- Expected: with projected volume change all orders approach 16.45 (linear, 0.1 % above the published value) and 6.96
 --           (neo-Hooke), N2 within 0.6 % on all meshes; pointwise, L1 has a third of it and N2 needs 32 × 32 elements.
 -- Run: signorini cook.lua [laws=linear,neo-Hooke] [orders=L1,L2,N2,N3,N4] [elements=2,4,8,16,32]
---      [volumetric=pointwise,projected] [steps=4] [out=out/cook]; steps: of the load on the neo-Hookean panel
+--      [volumetric=pointwise,projected] [steps=4] [out=out/cook] [page=none]; steps: of the load on the
+--      neo-Hookean panel; page: folder of locking.md, whose tables of the panel are filled
 
 local sg = require "signorini"
+local page = require "page.tables"
 
 local options = sg.arguments{
   laws = { { "linear", "neo-Hooke" }, choices = { "linear", "neo-Hooke" } }, orders = { "L1", "L2", "N2", "N3", "N4" },
   elements = { { 2, 4, 8, 16, 32 }, at_least = 1 },
   volumetric = { { "pointwise", "projected" }, choices = { "pointwise", "projected" } },
-  steps = { 4, at_least = 1 }, out = "out/cook",
+  steps = { 4, at_least = 1 }, out = "out/cook", page = "none",
 }
 local files = sg.files(options.out)
 
@@ -77,10 +79,13 @@ local function series(law, order, volumetric)
   return tips, row, curve, seconds
 end
 
-local results = {} -- results[law][volumetric][order][elements]
+local results, tables = {}, {} -- results[law][volumetric][order][elements]
 for _, name in ipairs(options.laws) do
   local law, rows, curves, columns, costs = laws[name], {}, {}, { "discretization" }, {}
-  for _, count in ipairs(options.elements) do columns[#columns + 1] = ("%d × %d"):format(count, count) end
+  local formats = { "%s" }
+  for i, count in ipairs(options.elements) do
+    columns[i + 1], formats[i + 1] = ("%d × %d"):format(count, count), "%.3f"
+  end
   results[name] = {}
   for _, volumetric in ipairs(options.volumetric) do
     local tips = {}
@@ -94,6 +99,7 @@ for _, name in ipairs(options.laws) do
   end
   print(("\n%s: vertical displacement of the right side%s\n"):format(name,
     law.published and (", published %g"):format(law.published) or ""))
+  tables["cook_" .. name] = { columns = columns, rows = rows, formats = formats }
   print(sg.table{ columns = columns, rows = rows })
   print(("\nper iteration on %s elements: assembly and linear solution\n"):format(columns[#columns]))
   print(sg.table{ columns = { "discretization", "time" }, units = { "", "ms" }, formats = { "%s", "%.1f" },
@@ -103,5 +109,6 @@ for _, name in ipairs(options.laws) do
             xlabel = "elements along a side", ylabel = "vertical displacement of the right side", log = "x",
             table.unpack(curves) }
 end
+page.fill(options, "locking", "cook", tables)
 files:report()
 return { results = results }

@@ -9,14 +9,15 @@
 -- Expected: with three elements in the cohesive zone the mean of the steady moment is M, and work the sum of the
 --           energies, within 0.1 %, and moments oscillate by less than 3 % of M; with nine by less than 0.2 %.
 -- Run: signorini debonding.lua [elements=16,24,32,48,64] [laws=exponential,bilinear] [strength=20]
---      [penalty=1e5] [steps=150] [out=out/debonding]
+--      [penalty=1e5] [steps=150] [out=out/debonding] [page=none]; page: folder of debonding.md, whose table is filled
 
 local sg = require "signorini"
+local page = require "page.tables"
 
 local options = sg.arguments{ elements = { { 16, 24, 32, 48, 64 }, at_least = 8 },
                               laws = { { "exponential", "bilinear" }, choices = { "exponential", "bilinear" } },
                               strength = { 20, above = 0 }, penalty = { 1e5, above = 0 },
-                              steps = { 150, at_least = 10 }, out = "out/debonding" }
+                              steps = { 150, at_least = 10 }, out = "out/debonding", page = "none" }
 local files = sg.files(options.out)
 local E, nu, h, length, crack, G, turn = 70000, 0.3, 2, 32, 8, 0.3, 2.4
 local plane = E / (1 - nu^2)
@@ -70,8 +71,10 @@ for _, law in ipairs(options.laws) do
   end
   convergence[#convergence + 1] = { x = x, y = y, label = law }
 end
-print(sg.table{ columns = { "law", "elements", "in the zone", "moment", "oscillation (%)", "energies over work" },
-                formats = { "%s", "%d", "%.2f", "%.4f", "%.2f", "%.5f" }, rows = rows })
+local results = { columns = { "law", "elements", "in the zone", "moment", "oscillation (%)", "energies over work" },
+                  formats = { "%s", "%d", "%.2f", "%.4f", "%.2f", "%.5f" }, rows = rows }
+print(sg.table(results))
+page.fill(options, "debonding", "debonding", { results = results })
 sg.chart{ file = files "moment.png", title = ("Double cantilever beam, %s law"):format(options.laws[1]),
           xlabel = "rotation (degrees)", ylabel = "moment over closed form", table.unpack(curves) }
 if #options.elements > 1 then

@@ -23,10 +23,12 @@
 --           half of it at twice R/a.
 -- Run: signorini hertz2d.lua [load=displacement] [meshes=m1,m2,m3,m4,m5]
 --      [orders=L1,N2,N4,N2-N4,N2-N2.1,N2-N2.2,N2-N3.2] [reference=m6] [sizes=1,2,4] [steps=10] [repeats=3]
---      [linear=auto] [out=out/hertz2d]; sizes: multiples of R/a for the study of the finite size (sizes=1: none);
---      repeats: number of runs, of which the time is the median.
+--      [linear=auto] [out=out/hertz2d] [page=none]; sizes: multiples of R/a for the study of the finite size (sizes=1:
+--      none); repeats: number of runs, of which the time is the median; page: folder of hertz.md, whose tables of this
+--      load are filled.
 
 local sg = require "signorini"
+local page = require "page.tables"
 local problem = require "problems.hertz2d.problem"
 local in_turns = require "studies.in_turns"
 
@@ -81,11 +83,11 @@ local function case_table(cases, finest)
   end
   for _, case in ipairs(cases) do add(case) end
   add(finest)
-  return sg.table{
+  return {
     columns = { "order", "mesh", "DOFs", "published", "peak", "a", "points", "L2 error", "iterations", "wall", "bulk",
                 "contact", "linear" },
     units = { "", "", "", "", "% off", "% off", "% of a", "", "", "s", "s", "s", "s" }, rows = rows,
-    formats = { "%s", "%s", "%d", "%d", "%.2f", "%.2f", "%.2f", "%.2e", "%d", "%.3f", "%.3f", "%.3f", "%.3f" },
+    formats = { "%s", "%s", "%d", "%d", "%.2f", "%.2f", "%.2f", "%.3g", "%d", "%.3f", "%.3f", "%.3f", "%.3f" },
   }
 end
 
@@ -120,7 +122,7 @@ local function size_study(options)
                           case.spacing_percent }
     end
   end
-  return cases, sg.table{
+  return cases, {
     columns = { "penalty", "size", "R/a", "DOFs", "peak", "a", "points" },
     units = { "times", "times", "", "", "% off", "% off", "% of a" }, rows = rows,
     formats = { "%d", "%g", "%.1f", "%d", "%.2f", "%.2f", "%.2f" },
@@ -172,7 +174,7 @@ local options = sg.arguments{
   meshes = { { "m1", "m2", "m3", "m4", "m5" }, choices = levels },
   orders = { "L1", "N2", "N4", "N2-N4", "N2-N2.1", "N2-N2.2", "N2-N3.2" },
   reference = { "m6", choices = levels }, sizes = { { 1.0, 2.0, 4.0 }, at_least = 1 },
-  steps = 10, repeats = 3, linear = "auto", out = "out/hertz2d",
+  steps = 10, repeats = 3, linear = "auto", out = "out/hertz2d", page = "none",
 }
 local files, cases = sg.files(options.out), {}
 
@@ -201,15 +203,25 @@ print(("\nLoad by %s: peak pressure and half-width against Hertz's, L2 error of 
   :format(options.load, finest.mesh))
 print(("times as medians of %d (wall with setup; linear: factorization and solve), DOFs of Table 7.4")
   :format(options.repeats))
-print(case_table(cases, finest))
+local compared = case_table(cases, finest)
+print(sg.table(compared))
 print "\nN2-N2.2 compared with N2 on the next mesh"
 print(saving_table(cases))
-local sizes
+local sizes, of_sizes
 if #options.sizes > 1 then
-  local text
-  sizes, text = size_study(options)
+  sizes, of_sizes = size_study(options)
   print "\nFinite size: N2-N2.2 at m4, degree 2 in the thickness direction, load by force"
-  print(text)
+  print(sg.table(of_sizes))
+end
+if options.load == "force" then
+  page.fill(options, "hertz", "hertz2d_force", {
+    line = page.across(compared, { 2 }, 1, { 5, 6 }, { "line", "peak, %s (%%)", "a, %s (%%)" }),
+    line_size = of_sizes and page.across(of_sizes, { 3 }, 1, { 5, 6 },
+      { "R/a", "peak, %s ε_N (%%)", "a, %s ε_N (%%)" }),
+  })
+else
+  table.remove(compared.rows) -- the reference
+  page.fill(options, "hertz", "hertz2d", { line_error = page.across(compared, { 2 }, 1, { 8 }, { "line", "%s" }) })
 end
 
 for _, mesh in ipairs(options.meshes) do draw_pressure(cases, finest, mesh, files(("pressure_%s.png"):format(mesh))) end

@@ -22,20 +22,23 @@
 --           the 3D function space contains every axisymmetric state of the meridian mesh, and 3D adds only quadrature
 --           error: any number of elements around z gives the pressure of the axisymmetric model.
 -- Run: signorini hertz3d.lua [meshes=m1,m2,m3] [orders=N2,N2-N2.2] [around=1,2,4] [steps=10] [linear=auto]
---      [out=out/hertz3d]; around: numbers of elements around z to compare, at the first mesh.
+--      [out=out/hertz3d] [page=none]; around: numbers of elements around z to compare, at the first mesh; page: folder
+--      of hertz.md, whose table of the solid is filled.
 
 local sg = require "signorini"
+local page = require "page.tables"
 local problem = require "problems.hertz3d.problem"
 
 -- ── Solving ──────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 --- Solves a scene and compares its contact with Hertz's.
 local function solve(o, scene, options)
+  local began = os.clock()
   local run = scene.model:run({ { name = "press", steps = options.steps, push = scene.target } },
     sg.plain{ linear = options.linear })
   if run.failed then error(("%s at %s: %s"):format(o.order, o.mesh, run.failure), 0) end
   local case = { order = o.order, mesh = o.mesh, around = o.around or problem.elements_of(o.mesh) // 4,
-                 dofs = scene.dofs, model = scene.model, run = run, spread = 0 }
+                 dofs = scene.dofs, model = scene.model, run = run, spread = 0, seconds = os.clock() - began }
   case.a, case.p0 = problem.hertz(problem.load)
   case.profile = scene.model:profile "ground"
   if scene.parts > 1 then case.profile, case.spread = problem.ring_profile(case.profile) end
@@ -51,13 +54,13 @@ local function solve(o, scene, options)
   return case
 end
 
---- A solid compared with its axisymmetric model: differences of peak and radius, ratio of times.
+--- A solid compared with its axisymmetric model: differences of peak and radius, ratio of processor times.
 local function solve_both(o, options)
   local case = solve(o, problem.solid(o), options)
   case.twin = solve(o, problem.revolved(o), options)
   case.peak_apart = 100 * (case.peak / case.twin.peak - 1)
   case.width_apart = 100 * (case.edges.to / case.twin.edges.to - 1)
-  case.time_ratio = case.run.wall / case.twin.run.wall
+  case.time_ratio = case.seconds / case.twin.seconds
   return case
 end
 
@@ -85,7 +88,7 @@ local function twin_table(cases)
     rows[i] = { case.order, case.mesh, twin.dofs.total, twin.peak_percent, twin.width_percent, case.peak_apart,
                 case.width_apart, twin.run.iterations, twin.run.wall, case.time_ratio }
   end
-  return sg.table{
+  return {
     columns = { "order", "mesh", "DOFs", "peak", "a", "3D peak", "3D a", "iterations", "wall", "3D time" },
     units = { "", "", "", "% off", "% off", "% apart", "% apart", "", "s", "times" }, rows = rows,
     formats = { "%s", "%s", "%d", "%.2f", "%.2f", "%.0e", "%.0e", "%d", "%.3f", "%.0f" },
@@ -134,7 +137,7 @@ end
 
 local options = sg.arguments{
   meshes = { { "m1", "m2", "m3" }, choices = { "m1", "m2", "m3", "m4", "m5" } }, orders = { "N2", "N2-N2.2" },
-  around = { 1, 2, 4 }, steps = 10, linear = "auto", out = "out/hertz3d",
+  around = { 1, 2, 4 }, steps = 10, linear = "auto", out = "out/hertz3d", page = "none",
 }
 local files, cases, turns = sg.files(options.out), {}, {}
 
@@ -155,11 +158,14 @@ end
 print "\nPeak pressure and radius of contact compared with Hertz's, L2 error of p/p_0 over r/a against Hertz's"
 print(case_table(cases))
 print "\nThe axisymmetric model with the same meridian mesh, and the difference of 3D from it"
-print(twin_table(cases))
+local twins = twin_table(cases)
+print(sg.table(twins))
 print "\nElements around the axis"
 print(case_table(turns))
 for _, order in ipairs(options.orders) do draw_pressure(cases, order, files(("pressure_%s.png"):format(order))) end
 draw_states(cases[#cases], files)
+page.fill(options, "hertz", "hertz3d", { solid = page.across(twins, { 2 }, 1, { 6, 7, 10 },
+  { "solid", "peak, %s (%% apart)", "a, %s (%% apart)", "time ratio, %s" }) })
 files:report()
 
 return { cases = cases, turns = turns, files = files }

@@ -20,9 +20,11 @@
 --           under the load p = pi Ro² P0, P0 = 1e-4, both to 1.5 % on m3 and m4. The remaining difference in the peak
 --           is due to the finite size: half of it at twice R/a.
 -- Run: signorini hertz_sphere.lua [meshes=m1,m2,m3,m4] [orders=N2,N2-N2.2] [sizes=1,2,4] [steps=10]
---      [linear=auto] [out=out/hertz_sphere]; sizes: multiples of R/a for the study of the finite size (1: none).
+--      [linear=auto] [out=out/hertz_sphere] [page=none]; sizes: multiples of R/a for the study of the finite size (1:
+--      none); page: folder of hertz.md, whose tables of the sphere are filled.
 
 local sg = require "signorini"
+local page = require "page.tables"
 local problem = require "problems.hertz_sphere.problem"
 
 -- ── Solving ──────────────────────────────────────────────────────────────────────────────────────────────────────────
@@ -57,7 +59,7 @@ local function case_table(cases)
                 case.peak_percent, case.width_percent, case.spacing_percent, case.force_percent, case.error,
                 case.run.iterations, case.run.wall }
   end
-  return sg.table{
+  return {
     columns = { "order", "mesh", "penalty", "size", "R/a", "DOFs", "peak", "a", "points", "force", "L2 error",
                 "iterations", "wall" },
     units = { "", "", "times", "times", "", "", "% off", "% off", "% of a", "% off", "", "", "s" }, rows = rows,
@@ -103,7 +105,7 @@ end
 local options = sg.arguments{
   meshes = { { "m1", "m2", "m3", "m4" }, choices = { "m1", "m2", "m3", "m4", "m5", "m6" } },
   orders = { "N2", "N2-N2.2" }, sizes = { { 1.0, 2.0, 4.0 }, at_least = 1 }, steps = 10, linear = "auto",
-  out = "out/hertz_sphere",
+  out = "out/hertz_sphere", page = "none",
 }
 local files, cases = sg.files(options.out), {}
 
@@ -118,13 +120,18 @@ for _, mesh in ipairs(options.meshes) do
 end
 
 print "\nPeak pressure and radius of contact compared with Hertz's, L2 error of p/p_0 over r/a against Hertz's"
-print(case_table(cases))
-local sizes
+local compared, sizes = case_table(cases), nil
+print(sg.table(compared))
 if #options.sizes > 1 then
   sizes = size_study(options)
   print "\nFinite size: degree 2 in the thickness direction"
-  print(case_table(sizes))
+  print(sg.table(case_table(sizes)))
 end
+page.fill(options, "hertz", "hertz_sphere", {
+  sphere = page.across(compared, { 2 }, 1, { 7, 8 }, { "sphere", "peak, %s (%%)", "a, %s (%%)" }),
+  sphere_size = sizes and page.across(case_table(sizes), { 5 }, 3, { 7, 8 },
+    { "R/a", "peak, %s ε_N (%%)", "a, %s ε_N (%%)" }),
+})
 for _, order in ipairs(options.orders) do draw_pressure(cases, order, files(("pressure_%s.png"):format(order))) end
 local last = cases[#cases]
 sg.picture{ model = last.model, field = "syy", label = "axial stress", axes = { "r", "z" },

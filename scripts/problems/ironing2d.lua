@@ -27,13 +27,15 @@
 --           not with 2(p + 1); with halved steps all converge (thesis: N2 fails at m1). Validation: Py = 0.054, Px =
 --           0.29 Py in the middle of the sliding, for both N2 and N4.
 -- Run: signorini ironing2d.lua [mesh=m1] [orders=N2,N4,N6,N2-N4,N2-N6,N2-N2.1,N2-N2.2,N2-N2.3] [repeat=1]
---      [linear=auto] [out=out/ironing2d]; several meshes (mesh=m1,m2,m3,m4) add charts over the mesh and times at equal
---      accuracy; times are medians of `repeat` runs; linear: sparse solver, as for model:run.
+--      [linear=auto] [out=out/ironing2d] [page=none]; several meshes (mesh=m1,m2,m3,m4) add charts over the mesh and
+--      times at equal accuracy; times are medians of `repeat` runs; linear: sparse solver, as for model:run; page:
+--      folder of ironing2d.md, whose tables of this variant are filled (standard: needs several meshes).
 --      signorini ironing2d.lua variant=deep [mesh=m1] [orders=…] [points=1,2,3] [coarser=1,2]; points:
 --      multiples of p + 1; coarser: factors on the step size.
 --      signorini ironing2d.lua variant=validation [mesh=48] [orders=N2,N4]; mesh: elements along both faces.
 
 local sg = require "signorini"
+local page = require "page.tables"
 local measure = require "problems.ironing2d.measure"
 local convergence = require "problems.ironing2d.convergence"
 local deep = require "problems.ironing2d.deep"
@@ -97,7 +99,7 @@ local function report_mesh(options, study, suffix, files)
   print(output.work_table(cases))
   print(("\nOscillation of the contact forces at %s, max − min over steps %d to %d%s"):format(mesh, measure.first,
     measure.last, published and ", compared with Table 7.3" or ", raw and detrended by a parabola"))
-  print(output.oscillation_table(cases, published))
+  print(sg.table(output.oscillation_table(cases, published)))
   files:draw("forces" .. suffix(mesh) .. ".png", "an accepted step", function(file)
     return output.draw_forces(file, cases, "Ironing, mesh " .. mesh)
   end)
@@ -107,6 +109,27 @@ local function report_mesh(options, study, suffix, files)
   end)
 end
 
+--- The page's tables: m1 against print, raw oscillations over the mesh, cases that the thesis calls equally accurate.
+local function fill_page(options, studies, savings)
+  local rows, heads = {}, { "case", "N2", "ΔPy", "of N2", "ΔPx", "of N2", "detrended ΔPy", "of N2", "detrended ΔPx",
+                            "of N2" }
+  for _, study in ipairs(studies) do
+    for _, case in ipairs(study.cases) do rows[#rows + 1] = { case.order, study.mesh, case.dPy.raw, case.dPx.raw } end
+  end
+  local against_N2 = {}
+  for _, pair in ipairs(savings) do
+    if pair.plain.order == reference_order then against_N2[#against_N2 + 1] = pair end
+  end
+  page.fill(options, "ironing2d", "ironing2d", {
+    oscillation = page.pick(output.oscillation_table(studies[1].cases,
+      sg.reference "ironing2d_oscillation_table7_3":by "discretization"), { 1, 2, 4, 5, 7, 8 },
+      { "discretization", "DOFs", "ΔPy", "Table 7.3", "ΔPx", "Table 7.3" }),
+    refinement = page.across({ columns = { "", "", "", "" }, rows = rows, formats = { "%s", "%s", "%.2e", "%.2e" } },
+      { 1 }, 2, { 3, 4 }, { "discretization", "ΔPy %s", "ΔPx %s" }),
+    equal = page.pick(convergence.saving_table(against_N2), { 1, 2, 3, 4, 5, 6, 7, 8, 9, 10 }, heads),
+  })
+end
+
 local function standard(options, files)
   local several = #options.mesh > 1
   local function suffix(mesh) return several and "_" .. mesh or "" end
@@ -114,6 +137,7 @@ local function standard(options, files)
   for _, study in ipairs(studies) do report_mesh(options, study, suffix, files) end
   if not several then return { mesh = studies[1].mesh, cases = studies[1].cases, studies = studies } end
   local savings, cheapest = convergence.report(studies, options.orders, files)
+  fill_page(options, studies, savings)
   return { studies = studies, savings = savings, cheapest = cheapest }
 end
 
@@ -121,7 +145,7 @@ end
 
 local options = sg.arguments{
   mesh = problem.meshes{ "m1" }, orders = { "N2", "N4", "N6", "N2-N4", "N2-N6", "N2-N2.1", "N2-N2.2", "N2-N2.3" },
-  linear = "auto", variant = { "standard", variants = {
+  linear = "auto", page = "none", variant = { "standard", variants = {
     standard = { ["repeat"] = 1, out = "out/ironing2d" },
     deep = { points = { 1, 2, 3 }, coarser = { 1, 2 }, out = "out/ironing2d_deep" },
     validation = { mesh = problem.meshes "48", orders = { "N2", "N4" }, out = "out/ironing2d_validation" },

@@ -9,14 +9,17 @@
 -- Expected: with projection the displacement converges with p + 1 and the stress with p, from the coarsest mesh on.
 --           Without it stresses of N2 are off by more than their size even on fine meshes.
 -- Run: signorini locking_ring.lua [shapes=ring,ball] [orders=N2,N3,N4] [elements=4,8,16,32] [nu=0.4999]
---      [volumetric=pointwise,projected] [out=out/locking_ring]
+--      [volumetric=pointwise,projected] [out=out/locking_ring] [page=none]; page: folder of locking.md, whose tables of
+--      the ring and the ball are filled
 
 local sg = require "signorini"
+local page = require "page.tables"
 
 local options = sg.arguments{
   shapes = { { "ring", "ball" }, choices = { "ring", "ball" } }, orders = { "N2", "N3", "N4" },
   elements = { { 4, 8, 16, 32 }, at_least = 2 }, nu = { 0.4999, above = 0, below = 0.5 },
   volumetric = { { "pointwise", "projected" }, choices = { "pointwise", "projected" } }, out = "out/locking_ring",
+  page = "none",
 }
 local files, nu = sg.files(options.out), options.nu
 local inner, outer, pressure, dimensions = 1, 2, 1e-3, { ring = 2, ball = 3 }
@@ -73,12 +76,12 @@ end
 
 -- ── The study ────────────────────────────────────────────────────────────────────────────────────────────────────────
 
-local results = {} -- results[shape][volumetric][order] = { displacement, stress }, lists of errors by mesh
+local results, tables = {}, {} -- results[shape][volumetric][order] = { displacement, stress }, lists of errors by mesh
 local columns = { "order", "volumetric" }
 for _, count in ipairs(options.elements) do columns[#columns + 1] = ("%d × %d"):format(count, count) end
 columns[#columns + 1] = "rate"
 local formats = { "%s", "%s" }
-for i = 3, #columns do formats[i] = i < #columns and "%.1e" or "%.1f" end
+for i = 3, #columns do formats[i] = i < #columns and "%.2g" or "%.1f" end
 
 for _, shape in ipairs(options.shapes) do
   results[shape] = {}
@@ -102,11 +105,13 @@ for _, shape in ipairs(options.shapes) do
   end
   for _, quantity in ipairs { "displacement", "stress" } do
     print(("\n%s: relative error of the radial %s\n"):format(shape, quantity))
-    print(sg.table{ columns = columns, rows = rows[quantity], formats = formats })
+    tables[shape .. "_" .. quantity] = { columns = columns, rows = rows[quantity], formats = formats }
+    print(sg.table(tables[shape .. "_" .. quantity]))
   end
   sg.chart{ file = files(shape .. ".png"), title = ("Thick %s, ν = %g: error of the stress"):format(shape, nu),
             xlabel = "elements along a side", ylabel = "relative error of the radial stress", log = "xy",
             table.unpack(curves) }
 end
+page.fill(options, "locking", "locking_ring", tables)
 files:report()
 return results

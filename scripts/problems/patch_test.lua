@@ -24,10 +24,12 @@
 --           functions is the first that jumps (1 for N1 and L2, 2 for N2 and N2-N2.2, 3 for N3), since Gauss quadrature
 --           is not exact for (x − c)^k on x > c.
 -- Run: signorini -q patch_test.lua [dimensions=2,3] [materials=linear,neo_hooke] [orders=N1,L2,N2,N3,N2-N2.2]
---      [points=20] [sides=guided] [penalties=10,100,1000,10000] [out=out/patch_test]; points: largest number of points
---      per direction, from p + 1 on, p the degree on the face.
+--      [points=20] [sides=guided] [penalties=10,100,1000,10000] [out=out/patch_test] [page=none]; points: largest
+--      number of points per direction, from p + 1 on, p the degree on the face; page: folder of patch_test.md, whose
+--      tables are filled.
 
 local sg = require "signorini"
+local page = require "page.tables"
 local problem = require "problems.patch_test.problem"
 
 local load = problem.load
@@ -179,8 +181,8 @@ local function exact_table(cases)
       row[3 + i] = math.max(row[3 + i], case[key])
     end
   end
-  return sg.table{ columns = { "", "material", "order", "pressure", "stress", "force" }, rows = rows,
-                   formats = { "%s", "%s", "%s", "%.1e", "%.1e", "%.1e" } }
+  return { columns = { "", "material", "order", "pressure", "stress", "force" }, rows = rows,
+           formats = { "%s", "%s", "%s", "%.1e", "%.1e", "%.1e" } }
 end
 
 --- Errors of the pressure at p + 1, 2 (p + 1), 3 (p + 1) and the most points; of the stress at 3 (p + 1) and the most.
@@ -198,7 +200,7 @@ local function error_table(series)
                 value(1, "pressure_error"), value(2, "pressure_error"), value(3, "pressure_error"), most.pressure_error,
                 value(3, "stress_error"), most.stress_error }
   end
-  return sg.table{
+  return {
     columns = { "", "material", "order", "meshes", "slave", "p+1", "2(p+1)", "3(p+1)", "most", "stress 3(p+1)",
                 "most" }, rows = rows,
     formats = { "%s", "%s", "%s", "%s", "%s", "%.1e", "%.1e", "%.1e", "%.1e", "%.1e", "%.1e" },
@@ -210,8 +212,8 @@ local function rate_table(rates)
   for i, r in ipairs(rates) do
     rows[i] = { r.order, r.slave, r.octaves[1], r.octaves[2], r.octaves[3], r.exponent, r.expected }
   end
-  return sg.table{ columns = { "order", "slave", "n = 8…15", "16…31", "32…63", "exponent", "expected" }, rows = rows,
-                   formats = { "%s", "%s", "%.1e", "%.1e", "%.1e", "%.2f", "%d" } }
+  return { columns = { "order", "slave", "n = 8…15", "16…31", "32…63", "exponent", "expected" }, rows = rows,
+           formats = { "%s", "%s", "%.1e", "%.1e", "%.1e", "%.2f", "%d" } }
 end
 
 local function penalty_table(cases)
@@ -219,8 +221,8 @@ local function penalty_table(cases)
   for i, case in ipairs(cases) do
     rows[i] = { case.order, case.penalty, case.points, case.pressure_error, case.stress_error }
   end
-  return sg.table{ columns = { "order", "penalty", "points", "pressure", "stress" }, rows = rows,
-                   formats = { "%s", "%g", "%d", "%.1e", "%.1e" } }
+  return { columns = { "order", "penalty", "points", "pressure", "stress" }, rows = rows,
+           formats = { "%s", "%g", "%d", "%.1e", "%.1e" } }
 end
 
 --- The error of the pressure over the number of points, by order; non-matching meshes, one material.
@@ -262,13 +264,15 @@ local options = sg.arguments{
   materials = { { "linear", "neo_hooke" }, choices = { "linear", "neo_hooke" } },
   orders = { "N1", "L2", "N2", "N3", "N2-N2.2" }, points = 20, sides = { "guided", choices = { "guided", "free" } },
   penalties = { { 10.0, 100.0, 1000.0, 10000.0 }, above = 0 }, out = "out/patch_test",
+  page = "none",
 }
 local files = sg.files(options.out)
 
 local exact = solve_all(options, exact_pairs, function(degree) return { degree + 1, 3 * (degree + 1) } end)
 print(("Largest errors relative to p0 where the master has no kink inside the slave's elements, sides %s")
   :format(options.sides))
-print(exact_table(exact))
+local tables = { exact = exact_table(exact) }
+print(sg.table(tables.exact))
 
 local cases = solve_all(options, pairs_with_kinks, function(degree)
   local counts = {}
@@ -277,15 +281,18 @@ local cases = solve_all(options, pairs_with_kinks, function(degree)
 end)
 local series = in_series(cases)
 print "\nWith kinks: largest errors of the pressure and of the stress by points per element and direction"
-print(error_table(series))
+tables.errors = error_table(series)
+print(sg.table(tables.errors))
 local rates, penalties = {}, {}
 if options.dimensions[1] == 2 or options.dimensions[2] == 2 then
   rates = rate_study(options)
   print "\nDecrease of the pressure error with the number of points: 2D, linear, 3 elements under 5"
-  print(rate_table(rates))
+  tables.rates = rate_table(rates)
+  print(sg.table(tables.rates))
   penalties = penalty_study(options)
   print "\nEffect of the penalty: 2D, linear, 3 elements under 5, slave upper, 3(p+1) points"
-  print(penalty_table(penalties))
+  tables.penalty = penalty_table(penalties)
+  print(sg.table(tables.penalty))
   draw_pressure(options, files "pressure.png")
 end
 
@@ -302,6 +309,14 @@ for _, dimension in ipairs(options.dimensions) do
     draw_errors(series, dimension, options.materials[1], slave, files(("error_%dd_%s.png"):format(dimension, slave)))
   end
 end
+local plain = { columns = tables.errors.columns, formats = tables.errors.formats, rows = {} }
+for _, row in ipairs(tables.errors.rows) do
+  if row[2] == "linear" and row[4] == "non-matching" then plain.rows[#plain.rows + 1] = row end
+end
+tables.errors = page.pick(plain, { 1, 3, 5, 6, 7, 8, 9, 10 },
+  { "", "order", "slave", "p + 1", "2(p + 1)", "3(p + 1)", ("%d points"):format(options.points), "stress, 3(p + 1)" })
+tables.exact = page.across(tables.exact, { 1, 2 }, 3, { 4 }, { "", "material", "%s" })
+page.fill(options, "patch_test", "patch_test", tables)
 files:report()
 
 return { exact = exact, cases = cases, series = series, rates = rates, penalties = penalties, files = files }

@@ -20,10 +20,12 @@
 --           integration rule. All points slip except one to three at the apex: p_T = mu p_N, with a tenth of its
 --           errors.
 -- Run: signorini rings2d.lua [meshes=m1,m2] [orders=N2,N4,N2-N4,N2-N2.1] [reference=m3] [coordinate=x]
---      [repeats=3] [linear=auto] [out=out/rings2d]; reference: mesh of the N2 reference solution; coordinate: x
---      (deformed) or X (undeformed); repeats: number of runs, of which the time is the median.
+--      [repeats=3] [linear=auto] [out=out/rings2d] [page=none]; reference: mesh of the N2 reference solution;
+--      coordinate: x (deformed) or X (undeformed); repeats: number of runs, of which the time is the median; page:
+--      folder of rings2d.md, whose tables are filled.
 
 local sg = require "signorini"
+local page = require "page.tables"
 local problem = require "problems.rings2d.problem"
 local in_turns = require "studies.in_turns"
 
@@ -96,11 +98,11 @@ local function error_table(cases)
                 case.pT_error, row.pT_L2_error, deviation(case.pT_error, row.pT_L2_error),
                 case.coulomb.touching, case.coulomb.sticking, case.coulomb.deviation }
   end
-  return sg.table{
+  return {
     columns = { "order", "mesh", "p_N", "published", "differs", "p_T", "published", "differs", "touching", "sticking",
                 "|p_T| / mu p_N − 1" },
     units = { "", "", "", "", "%", "", "", "%", "points", "points", "at most" }, rows = rows,
-    formats = { "%s", "%s", "%.3e", "%.3e", "%.1f", "%.3e", "%.3e", "%.1f", "%d", "%d", "%.1e" },
+    formats = { "%s", "%s", "%.4g", "%.4g", "%.1f", "%.4g", "%.4g", "%.1f", "%d", "%d", "%.1e" },
   }
 end
 
@@ -110,30 +112,30 @@ local function rule_table(cases)
   local reference, rows = published "rings2d_error_table7_5", {}
   for i, rule in ipairs(rules) do rows[i] = { rule.quadrature, rule.zone, rule.edge } end
   for i, case in ipairs(cases) do
-    columns[3 + i], units[3 + i], formats[3 + i] = case.order, case.mesh, "%.3e"
+    columns[3 + i], units[3 + i], formats[3 + i] = case.order, case.mesh, "%.4g"
     for k, row in ipairs(rows) do row[3 + i] = case.errors[k] end
     last[3 + i] = printed(reference, case).pN_L2_error
   end
   rows[#rows + 1] = last
-  return sg.table{ columns = columns, units = units, rows = rows, formats = formats }
+  return { columns = columns, units = units, rows = rows, formats = formats }
 end
 
 local function time_table(cases)
   local rows, reference, unit = {}, published "rings2d_time_table7_6", nil
   for _, case in ipairs(cases) do
-    if case.order == "N2" and case.mesh == "m1" then unit = case.times.wall end
+    if case.order == "N2" and case.mesh == "m1" then unit = case.times.processor end
   end
   for i, case in ipairs(cases) do
     local t = case.times
     rows[i] = { case.order, case.mesh, case.dofs, case.run.iterations / case.run.steps, 1e3 * t.wall, 1e3 * t.bulk,
-                1e3 * t.contact, 1e3 * t.linear, 1e3 * t.rest, unit and t.wall / unit,
+                1e3 * t.contact, 1e3 * t.linear, 1e3 * t.rest, 1e3 * t.processor, unit and t.processor / unit,
                 printed(reference, case).time_over_N2_m1 }
   end
-  return sg.table{
-    columns = { "order", "mesh", "DOFs", "iterations", "wall", "bulk", "contact", "linear", "rest", "over N2 m1",
-                "published" },
-    units = { "", "", "", "per step", "ms", "ms", "ms", "ms", "ms", "", "" }, rows = rows,
-    formats = { "%s", "%s", "%d", "%.2f", "%.1f", "%.1f", "%.1f", "%.1f", "%.1f", "%.3f", "%.3f" },
+  return {
+    columns = { "order", "mesh", "DOFs", "iterations", "wall", "bulk", "contact", "linear", "rest", "processor",
+                "over N2 m1", "published" },
+    units = { "", "", "", "per step", "ms", "ms", "ms", "ms", "ms", "ms", "", "" }, rows = rows,
+    formats = { "%s", "%s", "%d", "%.2f", "%.1f", "%.1f", "%.1f", "%.1f", "%.1f", "%.0f", "%.2f", "%.2f" },
   }
 end
 
@@ -182,7 +184,7 @@ local levels = { "m1", "m2", "m3", "m4", "m5" }
 local options = sg.arguments{
   meshes = { { "m1", "m2" }, choices = levels }, orders = { "N2", "N4", "N2-N4", "N2-N2.1" },
   reference = { "m3", choices = levels }, coordinate = { "x", choices = { "x", "X" } }, repeats = 3, linear = "auto",
-  out = "out/rings2d",
+  out = "out/rings2d", page = "none",
 }
 local files, cases = sg.files(options.out), {}
 
@@ -211,11 +213,12 @@ problem.solve(options.orders[1], options.meshes[1], options.linear, keep_state)
 
 print(("\nL2 errors of the contact tractions against %s at %s over %s, with Table 7.5 (N/m²·√m)")
   :format(finest.order, finest.mesh, options.coordinate))
-print(error_table(cases))
+local errors, of_rules, times = error_table(cases), rule_table(cases), time_table(cases)
+print(sg.table(errors))
 print "\nError of p_N by rule of integration (arguments of sg.profile_error)"
-print(rule_table(cases))
+print(sg.table(of_rules))
 print(("\nTime, with Table 7.6, medians of %d (linear: factorization and solve)"):format(options.repeats))
-print(time_table(cases))
+print(sg.table(times))
 
 write_errors(cases, files "errors.csv")
 sg.sheet{ pictures, columns = 2, file = files "states.png",
@@ -224,6 +227,11 @@ for _, mesh in ipairs(options.meshes) do
   draw_traction(cases, finest, mesh, "pressure", options.coordinate, files(("pressure_%s.png"):format(mesh)))
   draw_traction(cases, finest, mesh, "traction", options.coordinate, files(("traction_%s.png"):format(mesh)))
 end
+page.fill(options, "rings2d", "rings2d", {
+  errors = page.pick(errors, { 1, 2, 3, 4, 5, 6, 7, 8, 9, 10 }, { "discretization" }), rules = of_rules,
+  times = page.pick(times, { 1, 2, 3, 4, 10, 11, 12 },
+    { "discretization", "mesh", "DOFs", "iterations per step", "processor time (ms)", "over N2 m1", "Table 7.6" }),
+})
 files:report()
 
 return { cases = cases, reference = finest, files = files }

@@ -22,13 +22,13 @@
 -- Expected: V = 316 and H = 67 at time 1, V = 402 and H = 134 at time 1.5 (N2 at m2; at m3 314, 66, 400 and 131). V is
 --           within the range of the published curves, closest to Hartmann et al.; H/V = 0.33 is closest to 0.34 of
 --           Code_Aster (0.30 to 0.52 in all).
--- Run: signorini shallow_ironing2d.lua [mesh=m2] [orders=N2,N2-N2.2] [thickness_degree=1] [penalty=1e5]
--- [steps=50]
---      [linear=auto] [out=out/shallow_ironing2d]; meshes: die 3 × 2 and block 30 × 8 (m1), each further mesh halves the
---      elements; through: degree in the thickness direction; steps: number of pressing steps; sliding takes five times
---      as many.
+-- Run: signorini shallow_ironing2d.lua [mesh=m2] [orders=N2,N2-N2.2] [thickness_degree=1] [penalty=1e5] [steps=50]
+--      [linear=auto] [out=out/shallow_ironing2d] [page=none]; meshes: die 3 × 2 and block 30 × 8 (m1), each further
+--      mesh halves the elements; thickness_degree: degree in the thickness direction; steps: number of pressing steps;
+--      sliding takes five times as many; page: folder of shallow_ironing2d.md, whose tables of this mesh are filled.
 
 local sg = require "signorini"
+local page = require "page.tables"
 
 local sources = {
   { "fischer_wriggers", "Fischer, Wriggers 2006" }, { "hartmann", "Hartmann et al. 2009" },
@@ -89,8 +89,9 @@ local function solve(order, options)
                                             label = "von Mises stress (N/mm²)", title = ("time %g"):format(time) }
     end
   end })
-  local case = { order = order, run = run, model = model, dofs = die:dofs().total + block:dofs().total,
-                 pictures = pictures, time = {}, V = run:column "grip.fy", H = run:column "grip.fx" }
+  local case = { order = order, mesh = options.mesh, run = run, model = model,
+                 dofs = die:dofs().total + block:dofs().total, pictures = pictures, time = {},
+                 V = run:column "grip.fy", H = run:column "grip.fx" }
   for step = 1, run.steps do
     case.time[step], case.V[step] = time_of(step, options.steps), -case.V[step]
   end
@@ -121,15 +122,17 @@ local function force_row(name, force)
 end
 
 --- Our forces above the published ones, which are read off digitized curves.
-local function force_table(cases, published)
+local function force_table(cases, published, published_too)
   local rows, at_time = {}, {}
   for _, row in ipairs(published.rows) do at_time[row[1]] = row end
   for _, case in ipairs(cases) do
-    rows[#rows + 1] = force_row(case.order, function(time) return at(case, case.V, time), at(case, case.H, time) end)
+    rows[#rows + 1] = force_row(("%s, %s"):format(case.order, case.mesh), function(time)
+      return at(case, case.V, time), at(case, case.H, time)
+    end)
   end
   local column = {}
   for i, name in ipairs(published.columns) do column[name] = i end
-  for _, source in ipairs(sources) do
+  for _, source in ipairs(published_too and sources or {}) do
     rows[#rows + 1] = force_row(source[2], function(time)
       return at_time[time][column[source[1] .. "_V"]], at_time[time][column[source[1] .. "_H"]]
     end)
@@ -140,7 +143,7 @@ local function force_table(cases, published)
     units[2 * i], units[2 * i + 1], formats[2 * i], formats[2 * i + 1] = "", "", "%.1f", "%.1f"
   end
   columns[#columns + 1], formats[#formats + 1] = "H/V(1.5)", "%.3f"
-  return sg.table{ columns = columns, units = units, rows = rows, formats = formats }
+  return { columns = columns, units = units, rows = rows, formats = formats }
 end
 
 --- max − min of a force while the die is in the block's middle; nil if the run ended before.
@@ -163,7 +166,7 @@ local function work_table(cases)
                 math.max(0, table.unpack(run:column "interface.max_penetration")), case.oscillation.V,
                 case.oscillation.H, run.wall }
   end
-  return sg.table{
+  return {
     columns = { "order", "DOFs", "steps", "iterations", "cut-backs", "overlap", "oscillation V", "oscillation H",
                 "wall" },
     units = { "", "", "", "", "", "mm", "N/mm", "N/mm", "s" }, rows = rows,
@@ -197,6 +200,7 @@ end
 local options = sg.arguments{
   mesh = { "m2", choices = { "m1", "m2", "m3", "m4", "m5" } }, orders = { "N2", "N2-N2.2" }, thickness_degree = 1,
   penalty = { 1e5, above = 0 }, steps = 50, linear = "auto", out = "out/shallow_ironing2d",
+  page = "none",
 }
 local files, cases = sg.files(options.out), {}
 
@@ -211,15 +215,19 @@ for i, order in ipairs(options.orders) do
 end
 print(("\nWork at %s; overlap: largest penetration (mm); oscillation: max − min from time %g to %g"):format(
   options.mesh, table.unpack(oscillation_times)))
-print(work_table(cases))
+local work = work_table(cases)
+print(sg.table(work))
 print "\nVertical force V, horizontal force H and their ratio at some times, with published ones (read off curves)"
-print(force_table(cases, published))
+print(sg.table(force_table(cases, published, true)))
 
 files:draw("forces.png", "an accepted step", function(file) return draw_forces(cases, published, file) end)
 if #cases[1].pictures > 0 then
   sg.sheet{ cases[1].pictures, columns = 2, file = files "states.png",
             title = ("Shallow ironing, %s at %s"):format(options.orders[1], options.mesh) }
 end
+page.fill(options, "shallow_ironing2d", "shallow_ironing2d_" .. options.mesh, {
+  [options.mesh] = force_table(cases, published, options.mesh == "m2"),
+  [options.mesh .. " work"] = page.pick(work, { 1, 2, 3, 4, 5, 6, 7, 8 }) })
 files:report()
 
 return { mesh = options.mesh, cases = cases, files = files }

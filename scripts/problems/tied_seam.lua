@@ -18,9 +18,11 @@
 --           displacement and of the seam's traction), with either slave. "reduced": the same energy, but tractions with
 --           rate p − 1, and with four rings displacements with rate p.
 -- Run: signorini -q tied_seam.lua [orders=N2,N3,N2-N2.2] [meshes=1,2,3,4] [slaves=inner,outer]
---      [multipliers=equal,reduced] [rings=2] [ratio=1] [out=out/tied_seam]
+--      [multipliers=equal,reduced] [rings=2] [ratio=1] [out=out/tied_seam] [page=none]; page: folder of tied_seam.md,
+--      whose table of this number of rings is filled from the last mesh
 
 local sg = require "signorini"
+local page = require "page.tables"
 
 local inner, middle, outer, nu, load = 1, 1.5, 2, 0.3, 0.01
 
@@ -178,7 +180,7 @@ end
 local options = sg.arguments{
   orders = { "N2", "N3", "N2-N2.2" }, meshes = { { 1, 2, 3, 4 }, at_least = 1 }, slaves = { "inner", "outer" },
   multipliers = { "equal", "reduced" }, rings = { 2, choices = { 2, 4 } }, ratio = { 1.0, above = 0 },
-  out = "out/tied_seam",
+  out = "out/tied_seam", page = "none",
 }
 local files, cases, rows = sg.files(options.out), {}, {}
 local solution, norms = exact(options.ratio), { "energy", "displacement", "traction" }
@@ -203,11 +205,18 @@ for _, order in ipairs(options.orders) do
 end
 print(("\nErrors relative to the exact solution, and rates (E of the outer ring %g times that of the inner one)")
   :format(options.ratio))
-print(sg.table{
+local results = {
   columns = { "order", "multipliers", "slave", "mesh", "unknowns", "energy", "rate", "L2 of u", "rate", "traction",
               "rate" },
   rows = rows, formats = { "%s", "%s", "%s", "%d", "%d", "%.2e", "%.2f", "%.2e", "%.2f", "%.2e", "%.2f" },
-})
+}
+print(sg.table(results))
+local finest = { columns = results.columns, formats = results.formats, rows = {} }
+for _, row in ipairs(rows) do
+  if row[4] == options.meshes[#options.meshes] then finest.rows[#finest.rows + 1] = row end
+end
+local name = ("rings%d"):format(options.rings)
+page.fill(options, "tied_seam", "tied_seam_" .. name, { [name] = page.pick(finest, { 1, 2, 3, 6, 7, 8, 9, 10, 11 }) })
 
 for _, norm in ipairs(norms) do
   local chart = { file = files(norm .. ".png"), log = "y", xlabel = "mesh", xticks = {},

@@ -27,11 +27,13 @@
 --           The difference in energy, work − stored − contact − friction, decreases with the step size.
 -- Run: signorini twisting3d.lua [parts=twist,punch,balance] [orders=N2,N4,N2-N4,N2-N2.2] [meshes=m1]
 --      [press=10] [twist=90] [angle=180] [friction=turn] [slave=hemisphere] [poles=ends] [formulation=gpts]
---      [linear=auto] [out=out/twisting3d]; friction: turn, or always, also while pressed; slave: hemisphere or cube;
+--      [linear=auto] [out=out/twisting3d] [page=none]; friction: turn, or always, also while pressed; slave: hemisphere
+--      or cube; page: folder of twisting3d.md, whose table of the punches is filled;
 --      poles: ends or bottom, see help(sg.shapes.hollow_hemisphere); formulation: a row of formulations/rows.lua, such
 --      as equal or reduced-multipliers (not of the punches).
 
 local sg = require "signorini"
+local page = require "page.tables"
 local formulations = require "formulations.rows"
 
 local mu, penalty, depth = 0.5, 100, 1
@@ -183,7 +185,7 @@ local function punch_table(punches)
     rows[i] = { p.shape, p.force, p.moment, p.torque, 100 * (p.moment / p.torque - 1), p.uniform,
                 100 * (p.moment / p.uniform - 1), p.moment / p.friction - 1, p.slip, p.stick }
   end
-  return sg.table{
+  return {
     columns = { "punch", "force", "torque", "μ∫pr dA", "off", "uniform p", "off", "M/∫(r×t)dA − 1", "slip", "stick" },
     units = { "", "", "", "", "%", "", "%", "", "points", "points" }, rows = rows,
     formats = { "%s", "%.5f", "%.6f", "%.6f", "%.3f", "%.6f", "%.3f", "%.0e", "%d", "%d" },
@@ -285,7 +287,7 @@ local options = sg.arguments{
   twist = 90, angle = { 180.0, above = 0 }, friction = { "turn", choices = { "turn", "always" } },
   slave = { "hemisphere", choices = { "hemisphere", "cube" } },
   poles = { "ends", choices = { "ends", "bottom" } }, formulation = formulations.argument "gpts", linear = "auto",
-  out = "out/twisting3d",
+  out = "out/twisting3d", page = "none",
 }
 local files, punches, cases, balance = sg.files(options.out), {}, {}, {}
 local wanted = {}
@@ -294,7 +296,11 @@ for _, part in ipairs(options.parts) do wanted[part] = true end
 if wanted.punch then
   for i, shape in ipairs { "square", "tube" } do punches[i] = press_and_turn(shape) end
   print "Punches with a flat face on a rigid plane: torque, μ∫pr dA of the profile and of a uniform pressure"
-  print(punch_table(punches))
+  local results = punch_table(punches)
+  print(sg.table(results))
+  page.fill(options, "twisting3d", "twisting3d_punch", { punch = page.pick(results, { 1, 2, 3, 4, 5, 6, 7, 8 },
+    { "punch", "force N", "torque M", "μ∫p r dA", "M differs (%)", "uniform pressure", "M differs (%)",
+      "M over moment of tractions − 1" }) })
 end
 
 if wanted.twist then

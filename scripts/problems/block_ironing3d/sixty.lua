@@ -1,6 +1,7 @@
 -- The path in 60 steps, 10 for pressing and 50 for sliding: cost and pressing force by discretization and mesh.
 
 local sg = require "signorini"
+local page = require "page.tables"
 local meshes = require "problems.solid_ironing.mesh"
 local output = require "problems.solid_ironing.output"
 local study = require "problems.solid_ironing.study"
@@ -18,7 +19,7 @@ local function result_table(cases)
                 run.iterations, run.cutbacks, run.failed and run.reason or "complete", case.user, case.pressed,
                 drag.mean, drag.low, drag.high }
   end
-  return sg.table{
+  return {
     columns = { "order", "block", "layer", "mesh", "part", "thickness_degree", "points", "tolerance", "DOFs",
                 "iterations", "cut-backs", "end", "user", "Pz", "Pz", "Pz", "Pz" },
     units = { "", "", "", "", "", "degree", "", "", "", "", "", "", "s", "pressed", "mean", "least", "greatest" },
@@ -71,7 +72,11 @@ function sixty.run(problem, options, files)
     print(case.run)
   end
   print(("\n%d + %d steps; pressing force at full depth and during sliding"):format(press, slide))
-  print(result_table(cases))
+  local results = result_table(cases)
+  print(sg.table(results))
+  page.fill(options, "block_ironing3d", "block_ironing3d_sixty", { sixty = page.pick(results,
+    { 1, 4, 5, 9, 10, 11, 14, 15, 13 }, { "discretization", "mesh", "model", "DOFs", "iterations", "cuts", "Pz pressed",
+      "Pz mean", "user time (s)" }) })
   csv(files "sixty.csv", cases)
   files:draw("sixty.png", "a step of the sliding", function(file)
     local named = {}

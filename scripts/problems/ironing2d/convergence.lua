@@ -60,14 +60,15 @@ function convergence.cheapest(studies)
   return found
 end
 
-local function saving_table(found)
+--- Pairs for sg.table.
+function convergence.saving_table(found)
   local rows = {}
   for i, pair in ipairs(found) do
     local a, b = pair.ours, pair.plain
     rows[i] = { name_of(a), name_of(b), a.dPy.raw, b.dPy.raw, a.dPx.raw, b.dPx.raw, a.dPy.detrended, b.dPy.detrended,
                 a.dPx.detrended, b.dPx.detrended, a.work.wall, b.work.wall, pair.saved, pair.published }
   end
-  return sg.table{
+  return {
     columns = { "case", "against", "dPy", "against", "dPx", "against", "dPy", "against", "dPx", "against", "time",
                 "against", "saved", "published" },
     units = { "", "", "N/mm", "N/mm", "N/mm", "N/mm", "detrended", "", "detrended", "", "s", "s", "%", "%" },
@@ -154,7 +155,7 @@ function convergence.report(studies, orders, files)
   local found, cheapest = convergence.savings(studies), convergence.cheapest(studies)
   if #found > 0 then
     print "\nEqually accurate cases according to the thesis (section 7.1.3): time saved, here and as published"
-    print(saving_table(found))
+    print(sg.table(convergence.saving_table(found)))
     print "\nTime of these cases by part (linear: factorization and solve)"
     print(split_table(found))
   else
@@ -162,7 +163,7 @@ function convergence.report(studies, orders, files)
   end
   if #cheapest > 0 then
     print "\nThe cheapest case with detrended oscillations at most those of N2 on a mesh"
-    print(saving_table(cheapest))
+    print(sg.table(convergence.saving_table(cheapest)))
   end
   return found, cheapest
 end

@@ -1,6 +1,7 @@
 -- The deep variant: which discretizations converge, by number of contact points, with and without halving of steps.
 
 local sg = require "signorini"
+local page = require "page.tables"
 local measure = require "problems.ironing2d.measure"
 local output = require "problems.ironing2d.output"
 local problem = require "problems.ironing2d.problem"
@@ -67,6 +68,25 @@ local function outcome_table(comparisons)
   }
 end
 
+--- Outcomes on the first mesh and its oscillations for the page: a column for each number of points and step length.
+local function fill_page(options, all, best)
+  local rows = {}
+  for _, c in ipairs(all) do
+    local plain, halving = outcome(c.plain.run), c.halving.run
+    if c.plain.run.failed then
+      plain = ("%s; %s"):format(plain, halving.failed and "fails with halving" or halving.cutbacks .. " halved")
+    end
+    local name = (c.multiple > 1 and c.multiple .. "(p + 1)" or "p + 1")
+      .. (c.coarser > 1 and (", steps × %d"):format(c.coarser) or "")
+    if c.mesh == options.mesh[1] then rows[#rows + 1] = { c.order, name, plain } end
+  end
+  page.fill(options, "ironing2d", "ironing2d_deep", {
+    deep = page.across({ columns = { "", "", "" }, rows = rows }, { 1 }, 2, { 3 }, { "discretization", "%s" }),
+    deep_oscillation = page.pick(output.oscillation_table(best), { 1, 3, 4, 6, 7 },
+      { "discretization", "ΔPy (N/mm)", "ΔPy (% of N2)", "ΔPx (N/mm)", "ΔPx (% of N2)" }),
+  })
+end
+
 --- The table of one mesh and step length; charts and CSV files for the largest number of points, states of the first
 --- order.
 local function study_mesh(options, mesh, coarser, files)
@@ -111,7 +131,7 @@ function deep.run(options, files)
         studies[#studies + 1], studies[mesh] = { mesh = mesh, cases = best }, { mesh = mesh, cases = best }
         print(("\nOscillations at %s with %d(p+1) contact points, max − min over steps %d to %d, raw and detrended")
           :format(mesh, options.points[#options.points], measure.first, measure.last))
-        print(output.oscillation_table(best))
+        print(sg.table(output.oscillation_table(best)))
         files:draw(("forces_%s.png"):format(mesh), "an accepted step", function(file)
           return output.draw_forces(file, best, "Deep ironing, " .. mesh)
         end)
@@ -127,6 +147,7 @@ function deep.run(options, files)
       end)
     end
   end
+  if studies[1] then fill_page(options, all, studies[1].cases) end
   return { comparisons = all, studies = studies }
 end
 

@@ -21,20 +21,20 @@ function output.work_table(cases)
   }
 end
 
---- Oscillations with the published values where there are some, otherwise with the detrended ones.
+--- Oscillations with the published values where there are some, otherwise with the detrended ones, for sg.table.
 function output.oscillation_table(cases, published)
-  local rows, formats = {}, { "%s", "%.3e", "%.2f", "%.2f", "%.3e", "%.2f", "%.2f" }
+  local rows, formats = {}, { "%s", "%d", "%.3e", "%.2f", "%.2f", "%.3e", "%.2f", "%.2f" }
   for i, case in ipairs(cases) do
     local dPy, dPx = case.dPy, case.dPx
     local compared = { dPy_percent_of_N2 = dPy.detrended_percent, dPx_percent_of_N2 = dPx.detrended_percent }
     if published then compared = published[case.order] or {} end
-    rows[i] = { case.order, dPy.raw, dPy.raw_percent, compared.dPy_percent_of_N2,
-                dPx.raw, dPx.raw_percent, compared.dPx_percent_of_N2 }
+    rows[i] = { case.order, case.die_dofs.total + case.slab_dofs.total, dPy.raw, dPy.raw_percent,
+                compared.dPy_percent_of_N2, dPx.raw, dPx.raw_percent, compared.dPx_percent_of_N2 }
   end
   local other = published and "published" or "detrended"
-  return sg.table{
-    columns = { "order", "dPy", "dPy", other, "dPx", "dPx", other },
-    units = { "", "N/mm", "% of N2", "% of N2", "N/mm", "% of N2", "% of N2" }, rows = rows, formats = formats,
+  return {
+    columns = { "order", "DOFs", "dPy", "dPy", other, "dPx", "dPx", other },
+    units = { "", "", "N/mm", "% of N2", "% of N2", "N/mm", "% of N2", "% of N2" }, rows = rows, formats = formats,
   }
 end
 

@@ -1,6 +1,7 @@
 -- The validation variant (section 6.2): forces over the steps for N2 and N4, as a whole and magnified.
 
 local sg = require "signorini"
+local page = require "page.tables"
 local measure = require "problems.ironing2d.measure"
 local output = require "problems.ironing2d.output"
 local problem = require "problems.ironing2d.problem"
@@ -41,7 +42,7 @@ local function force_table(cases)
                 pressed.Py, pressed.Px, average.Py, average.Px, case.mean and average.Px / average.Py,
                 oscillation.Py, oscillation.Px }
   end
-  return sg.table{
+  return {
     columns = { "order", "DOFs", "iterations", "cut-backs", "Py pressed", "Px pressed", "mean Py", "mean Px",
                 "Px/Py", "oscillation Py", "oscillation Px" },
     units = { "", "", "", "", "N/mm", "N/mm", "N/mm", "N/mm", "", "N/mm", "N/mm" }, rows = rows,
@@ -81,7 +82,10 @@ function validation.run(options, files)
   local first, last = middle(set_up)
   print(("\nForces on the die; means and oscillations (max − min, detrended) over steps %d to %d; mu is %g")
     :format(first, last, set_up.mu))
-  print(force_table(cases))
+  local forces = force_table(cases)
+  print(sg.table(forces))
+  page.fill(options, "ironing2d", "ironing2d_validation", { validation = page.pick(forces,
+    { 1, 2, 5, 6, 7, 8, 9, 10, 11 }, { "discretization" }) })
   files:draw("states.png", "an accepted step", function(file)
     return draw_states(file, ("Ironing for validation, %s at %s elements"):format(options.orders[1], mesh), 2)
   end)

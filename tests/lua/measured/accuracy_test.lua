@@ -8,14 +8,28 @@ local folder = check.folder()
 
 -- ── Pages and the files from which they are made ─────────────────────────────────────────────────────────────────────
 
-for _, name in ipairs { "evidence/speed_against_accuracy", "decide/which_model", "decide/formulations",
-                        "evidence/collection" } do
-  local base = ("%s/doc/%s"):format(core.share, name)
-  check.case(name .. ".md has the figures of " .. name .. ".json", function()
-    local text = core.read_file(base .. ".md")
-    check.equal(page.filled(text, sg.json.read(base .. ".json")), text)
+local given, pages = {}, 0 -- given[page][name of a table]: the files that have it
+for file in check.shell(("find '%s/doc' -name '*.json'"):format(core.share)):gmatch "[^\n]+" do
+  local data = sg.json.read(file)
+  local target = data.page and file:gsub("[^/]*$", data.page .. ".md") or file:gsub("json$", "md")
+  local tables = given[target] or {}
+  given[target], pages = tables, pages + (given[target] and 0 or 1)
+  for _, tabled in ipairs(data.tables) do tables[tabled.name] = (tables[tabled.name] or 0) + 1 end
+  tables[data.study and "made " .. data.study or "made"] = 1
+  check.case(("%s has the figures of %s"):format(target, file), function()
+    local text = core.read_file(target)
+    check.equal(page.filled(text, data), text)
   end)
 end
+
+check.case("every table of such a page is that of one file", function()
+  assert(pages > 3)
+  for target, tables in pairs(given) do
+    for name in core.read_file(target):gmatch "<!%-%- table: (.-) %-%->" do
+      check.equal({ name, tables[name] }, { name, 1 })
+    end
+  end
+end)
 
 check.case("a changed figure is found", function()
   local text = "<!-- table: t -->\n| a |\n|---|\n| 1.5 |\n<!-- end -->\n<!-- table: made -->\n\n<!-- end -->\n"
@@ -25,6 +39,24 @@ check.case("a changed figure is found", function()
   data.tables[1].rows[1][1] = 2.5e-5
   check.holds(page.filled(text, data), "| 2.5·10⁻⁵ |")
   check.fails(function() page.filled("", data) end, "the page has no table 't'")
+end)
+
+check.case("formats, a table across a column, and a page that several studies fill", function()
+  local long = { columns = { "order", "mesh", "error" }, units = { "", "", "%" }, formats = { error = "%.1e" },
+                 rows = { { "N2", "m1", 0.25 }, { "N2", "m2", -1e-12 }, { "N4", "m1" } } }
+  local wide = page.across(long, { 1 }, 2, { 3 }, { "order", "%s (%%)" })
+  check.equal(page.text_of(wide),
+    "| order | m1 (%) | m2 (%) |\n|---|---|---|\n| N2 | 2.5·10⁻¹ | −1.0·10⁻¹² |\n| N4 | – | – |")
+  local picked = page.pick(long, { 3, 1 }, { false, "label" })
+  check.equal({ picked.columns, picked.rows[3] }, { { "error (%)", "label" }, { false, "N4" } })
+  local options = { page = folder .. "/pages", out = folder .. "/filled" }
+  sg.mkdir(options.page)
+  core.write_file(options.page .. "/p.md", "<!-- table: t -->\n<!-- end -->\n<!-- table: made s -->\n\n<!-- end -->\n")
+  page.fill(options, "p", "s", { t = long })
+  local text = core.read_file(options.page .. "/p.md")
+  check.holds(text, "| N2 | m1 | 2.5·10⁻¹ |", core.processor)
+  check.equal(page.filled(text, sg.json.read(options.page .. "/s.json")), text)
+  page.fill({ page = "none" }, "p", "s", {})
 end)
 
 -- ── Speed against accuracy ───────────────────────────────────────────────────────────────────────────────────────────
