@@ -12,14 +12,16 @@
 -- Units: lengths in units of the radius, pressures of Young's modulus.
 -- Expected: force within 1.5 %, peak pressure within 5 % of the axisymmetric model's. With a stiffer penalty the force
 --           is 18 % above Hertz's at a/R = 0.28, 4 % at a/R = 0.07: the finite size acts in proportion to a/R.
--- Run: signorini objects/ball.lua [elements=4] [depth=2] [approach=0.16] [reference=24] [penalty=20]
---      [out=out/ball]; elements: along each edge of the core; depth: from the core to the sphere; reference: in each
---      direction; penalty: in E/R, of the ball and the first model of the section
+-- Run: signorini objects/ball.lua [order=N4] [elements=4] [depth=2] [approach=0.16] [reference=24] [penalty=20]
+--      [out=out/ball]; order: N4-N4.1 has a layer on the whole sphere; elements: along each edge of the core; depth:
+--      from the core to the sphere; reference: in each direction; penalty: in E/R, of the ball and the first model of
+--      the section
 
 local sg = require "signorini"
 
 local options = sg.arguments{
-  elements = { 4, at_least = 2 }, depth = { 2, at_least = 1 }, approach = { 0.16, above = 0, below = 0.5 },
+  order = "N4", elements = { 4, at_least = 2 }, depth = { 2, at_least = 1 },
+  approach = { 0.16, above = 0, below = 0.5 },
   reference = { 24, at_least = 4 }, penalty = { 20.0, above = 0 }, out = "out/ball",
 }
 local files = sg.files(options.out)
@@ -64,7 +66,8 @@ local function solid()
     patches[n] = patch:insert(1, along):insert(2, along):insert(3, through)
     elements[n] = patches[n]:elements()
   end
-  local ball = sg.body{ patch = patches, elements = elements, order = "N4", material = material }
+  local ball = sg.body{ patch = patches, elements = elements, order = options.order, material = material,
+                        contact = options.order:find "-" and "outer" or nil }
   local lower, upper = plate(-start, { 0, 0, 1 }), plate(start, { 0, 0, -1 })
   local function touch(face, master)
     return { slave = ball:face(face), master = master, penalty = penalty,

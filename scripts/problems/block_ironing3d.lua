@@ -46,7 +46,7 @@ local orders = require "problems.solid_ironing.orders"
 local mesh = require "problems.solid_ironing.mesh"
 local sixty = require "problems.block_ironing3d.sixty"
 
-local problem = { title = "Block ironing", length = 20, start = 3.75, depth = 1, distance = 12.5 }
+local problem = { title = "Block ironing", tool = "block", length = 20, start = 3.75, depth = 1, distance = 12.5 }
 
 --- The elements of the half with y < 5: half as many across.
 local function half_of(elements) return { elements[1], elements[2] // 2, elements[3] } end

@@ -33,7 +33,7 @@ local formulations = require "formulations.rows"
 local orders = require "problems.solid_ironing.orders"
 local mesh = require "problems.solid_ironing.mesh"
 
-local problem = { title = "Cylinder ironing", length = 2.5, start = 0.5, depth = 0.2, distance = 1.5 }
+local problem = { title = "Cylinder ironing", tool = "die", length = 2.5, start = 0.5, depth = 0.2, distance = 1.5 }
 
 function problem.scene(case)
   local slab = sg.body{

@@ -77,8 +77,8 @@ for _, under in ipairs(options.under) do
   for _, mu in ipairs(options.friction) do
     local key = ("%s_mu%g"):format(under, mu)
     results[key] = study.solve({
-      name = ("First contact with a %s, mu = %g"):format(under, mu), key = key,
-      x = { name = "gap", values = options.gaps }, y = { name = "load", values = options.loads },
+      name = ("First contact with a %s, μ = %g"):format(under, mu), key = key,
+      x = { name = "gap (R)", values = options.gaps }, y = { name = "load (E R)", values = options.loads },
       scene = function(gap) return scene(under, mu, gap) end,
       path = function(_, _, load)
         local force = under == "tool" and load or -load / (outer - inner)

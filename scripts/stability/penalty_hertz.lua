@@ -67,7 +67,7 @@ local files = sg.files(options.out)
 local maps = study.solve({
   name = ("Hertz at %s, load by %s"):format(mesh, load),
   x = { name = "order", values = options.orders },
-  y = { name = "penalty", values = options.penalties },
+  y = { name = "penalty (E / R)", values = options.penalties },
   scene = function(order, penalty)
     return (hertz.scene{ order = order, mesh = mesh, load = load, penalty = penalty, formulation = formulation })
   end,

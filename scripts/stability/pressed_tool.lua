@@ -59,8 +59,9 @@ local files, results = sg.files(options.out), {}
 for _, mu in ipairs(options.friction) do
   local key = ("mu%g"):format(mu)
   results[key] = study.solve({
-    name = ("Ironing under a constant force, %s, mu = %g"):format(order, mu), key = key,
-    x = { name = "force", values = options.forces }, y = { name = "length of a step", values = options.lengths },
+    name = ("Ironing under a constant force, %s, μ = %g"):format(order, mu), key = key,
+    x = { name = "force (2 E R)", values = options.forces },
+    y = { name = "length of a step (2 R)", values = options.lengths },
     scene = function() return scene(mu) end,
     path = function(_, force, length) return path(force, length) end,
     formulation = formulation,

@@ -54,11 +54,28 @@ local function report(plain, robust, titles)
   return result
 end
 
+--- Draws a number of all cells with controls, since those of plain Newton are the same where it converges; a star marks
+--- the cells in which it fails.
+local function draw_numbers(file, chart, name, plain, robust)
+  local x, y, values, texts, any = robust.x, robust.y, {}, {}, false
+  for j, row in ipairs(y.values) do
+    values[j], texts[j] = {}, {}
+    for i, column in ipairs(x.values) do
+      local value, failed = robust:cell(column, row).results[chart.name], plain:cell(column, row).outcome ~= "completed"
+      values[j][i], any = value, any or failed
+      texts[j][i] = value and ("%.2g%s"):format(value, failed and " *" or ""):gsub("e%-0*(%d+)", "·10^{−%1}")
+    end
+  end
+  sg.heatmap{ file = file, x = x.values, y = y.values, xlabel = x.name, ylabel = y.name, values = values, texts = texts,
+              log = chart.log, label = chart.label,
+              title = ("%s: %s%s"):format(name, chart.label, any and " (* plain Newton fails)" or "") }
+end
+
 --- Solves a problem's map with both options. `problem`: name, x, y, scene, results as sg.convergence_map takes them,
---- path(model, x, y) with the overrides of model:run's options that both ways need, charts (further pictures:
---- map:heatmap's name, log and label, and `key`, their file's name), `key`, part of the files' names when a script has
---- several problems, and `formulation`, a row of formulations/rows.lua that the scenes use. Returns { plain, robust,
---- comparison }; `files` is the result of sg.files.
+--- path(model, x, y) with the overrides of model:run's options that both ways need, charts (further pictures: the name
+--- of a result, log and label as in sg.heatmap, and `key`, their file's name), `key`, part of the files' names when a
+--- script has several problems, and `formulation`, a row of formulations/rows.lua that the scenes use. Returns
+--- { plain, robust, comparison }; `files` is the result of sg.files.
 function study.solve(problem, options, files)
   local function file(name) return files((problem.key and problem.key .. "_" or "") .. name) end
   local path, titles = problem.path, { controls.titles.plain, controls.titles[options.with] }
@@ -82,8 +99,7 @@ function study.solve(problem, options, files)
   plain:picture{ file = file "outcomes.png", title = name_of_map .. ": outcome and Newton iterations",
                  other = robust, titles = titles }
   for _, chart in ipairs(problem.charts or {}) do
-    plain:heatmap{ file = file(chart.key .. ".png"), name = chart.name, log = chart.log, label = chart.label,
-                  title = name_of_map .. ": " .. chart.label, other = robust, titles = titles }
+    draw_numbers(file(chart.key .. ".png"), chart, name_of_map, plain, robust)
   end
   for i, kind in ipairs { "plain", options.with } do
     local map = i == 1 and plain or robust

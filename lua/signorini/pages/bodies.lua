@@ -58,9 +58,9 @@ return {
     named = {
       { "patch", t.by(t.either(t.object "patch", patch_types.several), function() return t.object "patch" end),
         "shape: a surface in the plane, a volume in 3D, or a list of these, see help \"compound\"" },
-      { "elements", patch_types.elements, [[knot spans; with a list of patches also a list with an entry per patch. Peak
-pressures need at least 7 across a contact with order N2, 3 with N2-N2.2 (penalty in help "contact"); a run warns if a
-contact has fewer]] },
+      { "elements", patch_types.elements, [[numbers of elements; with a list of patches also a list with an entry per
+patch. Peak pressures need at least 7 across a contact with order N2, 3 with N2-N2.2 (penalty in help "contact"); a run
+warns if a contact has fewer]] },
       { "order", order, [[discretization label such as "N2-N2.2", help "orders"]] },
       { "contact", t.one_or_more(patch_types.any_face), [[face that carries the layer, or two opposite ones; required
 for orders with a layer. Any face can be slave or master of a contact]], otherwise = "none" },

@@ -54,7 +54,7 @@ is the number of the control point from 1, fastest in xi1. The values add up to 
   { "patch:refine", [[Applies k-refinement: raises the degrees first, then inserts knots until each direction has the
 given number of elements (nonempty knot spans); existing knots and the shape are unchanged. For a curve, arguments are
 values instead of lists.]],
-    named = { { "elements", patch_types.elements, "knot spans", otherwise = "the patch's own" },
+    named = { { "elements", patch_types.elements, "numbers of elements", otherwise = "the patch's own" },
               { "degree", patch_types.per_direction(patch_types.degree), "polynomial degrees",
                 otherwise = "the patch's own" },
               { "grading", patch_types.grading, "where elements are concentrated; false: uniform",

@@ -137,14 +137,14 @@ ring down to the pole; the flat ring in z = 0 is one face, south, and the mesh t
 axis x = y = 0, west and east are the seam in y = 0.]], default = "ends" } },
     returns = a_patch, example = "sg.shapes.hollow_hemisphere{ inner = 2/3, outer = 1, center = {0, 0, 3} }" },
   { "sg.shapes.spherical_indenter", [[Returns a block with a flat top whose bottom (front) is a spherical cap,
-approximated by biquadratic spans that interpolate the sphere. west, east, south and north are in x = 0, x = width, y =
-0 and y = depth, back in z = height. The cap's own knots keep their continuity with every order label; with elements =
+approximated by biquadratic elements that interpolate the sphere. west, east, south and north are in x = 0, x = width, y
+= 0 and y = depth, back in z = height. The cap's own knots keep their continuity with every order label; with elements =
 1, labels have the same functions as on a block.]],
     named = { { "width", t.positive, "size along x", unit = "length" },
               { "depth", t.positive, "size along y", unit = "length" },
               { "height", t.positive, "from the cap's lowest point to the flat top", unit = "length" },
               { "radius", t.positive, "radius of the cap", unit = "length" },
-              { "elements", t.integer(1, 200), "spans of the cap in each direction" },
+              { "elements", t.integer(1, 200), "elements of the cap in each direction" },
               { "corner", t.space_point, "x, y of the corner and z of the lowest point", default = { 0, 0, 0 },
                 unit = "length" } },
     returns = a_patch,

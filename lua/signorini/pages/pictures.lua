@@ -148,7 +148,7 @@ are directions of view, not names of faces]],
       size_alone, scale, transparent, file,
     },
     more = [[In .svg and .pdf, lines and texts are vectors, fields and surfaces are images. Surfaces of solids are
-slightly shaded: those that face the light have the colors of the bar.]],
+slightly shaded, gray ones more: those that face the light have the colors of the bar.]],
     returns = t.object "picture", example = {
       [[sg.picture{ model = model, field = "uy", file = "die.png" }]],
       [[sg.picture{ model = model, field = "syy", contours = true, mesh = false, file = "levels.png" }]],

@@ -8,7 +8,7 @@ local problem = require "problems.ironing3d.problem"
 local depth = {}
 
 --- Presses a case and adds the list of `states`, one per step: depth, Pz, area, max_pressure, max_penetration; and
---- `fullest`, the state with the largest contact area: depth, area, snapshot.
+--- `fullest`, the state with the largest contact area: area, snapshot.
 function depth.solve(case)
   case.mesh, case.depth, case.distance, case.states = case.mesh or "coarse", problem.published_depth, 0, {}
   case.on_step = function(model, info)
@@ -16,7 +16,7 @@ function depth.solve(case)
                     max_pressure = info["interface.max_pressure"], max_penetration = info["interface.max_penetration"] }
     table.insert(case.states, state)
     if not case.fullest or state.area > case.fullest.area then
-      case.fullest = { depth = state.depth, area = state.area, snapshot = model:snapshot() }
+      case.fullest = { area = state.area, snapshot = model:snapshot() }
     end
   end
   return problem.solve(case)
@@ -44,9 +44,13 @@ local function result_table(cases)
 end
 
 local function draw(file, cases, key, ylabel)
-  local chart = { file = file, xlabel = "depth (mm)", ylabel = ylabel, title = "3D ironing: pressing to 10.4 mm" }
+  local chart = { file = file, xlabel = "depth", ylabel = ylabel, title = "3D ironing: pressing to 10.4" }
+  local colors, known = {}, 0 -- one per discretization and radius
   for _, case in ipairs(cases) do
-    local line = { x = {}, y = {}, label = ("%s, R = %g, x = %g"):format(case.order, case.radius, case.from) }
+    local name = ("%s, R = %g"):format(case.order, case.radius)
+    if not colors[name] then known, colors[name] = known + 1, known + 1 end
+    local line = { x = {}, y = {}, label = ("%s, x = %g"):format(name, case.from), color = colors[name],
+                   dashed = case.from ~= cases[1].from }
     for i, state in ipairs(case.states) do line.x[i], line.y[i] = state.depth, state[key] end
     if #line.x > 0 then chart[#chart + 1] = line end
   end
@@ -54,12 +58,19 @@ local function draw(file, cases, key, ylabel)
   return #chart > 0
 end
 
---- Draws the state with the largest contact area next to the deepest one, which the model has.
-local function draw_fold(file, case, name, deepest)
-  local last = output.picture(case.model, ("depth %.2f, area %.0f mm²"):format(deepest, case.states[#case.states].area))
+--- Draws the underside of the indenter at its largest contact area and at its deepest state, which the model has. The
+--- range of colors is that of the pressure away from the corners.
+local function draw_fold(file, case, name)
+  local function below()
+    return sg.picture{ model = case.model, bodies = { "indenter" }, field = "contact_pressure", range = { 0, 1 },
+                       label = "contact pressure / E", camera = { from = { 0.4, -1.6, -1.2 } },
+                       title = ("depth %.2f, contact area %.0f"):format(-case.model:target "grip"[3],
+                       case.model:contact_resultant "interface".area) }
+  end
+  local last = below()
   case.model:restore(case.fullest.snapshot)
-  local full = output.picture(case.model, ("depth %.2f, area %.0f mm²"):format(case.fullest.depth, case.fullest.area))
-  output.draw_sheet(file, { full, last }, ("3D ironing, %s: largest contact area, and deepest state"):format(name))
+  sg.sheet{ below(), last, columns = 2, file = file,
+            title = ("The indenter from below, %s"):format(name) }
 end
 
 --- The study. Returns { cases }.
@@ -74,7 +85,7 @@ function depth.run(options, files)
         if #case.states > 0 then
           local deepest = case.states[#case.states].depth
           pictures[#pictures + 1] = output.picture(case.model, ("%s, depth %.2f"):format(name, deepest))
-          draw_fold(files(("fold_%s_R%g_x%g.png"):format(order, radius, from)), case, name, deepest)
+          draw_fold(files(("fold_%s_R%g_x%g.png"):format(order, radius, from)), case, name)
           case.fullest.snapshot = nil
         end
         case.model = nil
@@ -86,14 +97,14 @@ function depth.run(options, files)
       end
     end
   end
-  print(("\nPressed to 10.4 mm in steps of %g mm; failed steps are halved"):format(options.down))
+  print(("\nPressed to 10.4 in steps of %g; failed steps are halved"):format(options.down))
   print(result_table(cases))
   files:draw("states.png", "an accepted step", function(file)
     if #pictures > 0 then output.draw_sheet(file, pictures, "3D ironing: deepest states") end
     return #pictures > 0
   end)
   files:draw("pressing.png", "an accepted step", function(file) return draw(file, cases, "Pz", "pressing force Pz") end)
-  files:draw("area.png", "an accepted step", function(file) return draw(file, cases, "area", "contact area (mm²)") end)
+  files:draw("area.png", "an accepted step", function(file) return draw(file, cases, "area", "contact area") end)
   return { cases = cases }
 end
 

@@ -18,7 +18,7 @@ function orders.run(problem, options, files)
   for i, order in ipairs(options.orders) do
     local case = { order = order, mesh = mesh, press = press, slide = slide, linear = options.linear,
                    formulation = formulations[options.formulation] }
-    if i == 1 then case.on_step, states = study.record_states(case, "uz", "displacement u_z") end
+    if i == 1 then case.on_step, states = study.record_states(case, problem.tool) end
     study.solve(problem, case)
     print(("%s at %s, %.1f s of processor time"):format(order, mesh.name, case.user))
     print(case.run)

@@ -79,16 +79,16 @@ function study.solve(problem, case)
 end
 
 --- Keeps the states at the ends of both stages and in the middle of the slide: a function for on_step, and the list of
---- pictures. `label`: of their color bar.
-function study.record_states(case, field, label)
+--- pictures. `tool`: the body that is driven.
+function study.record_states(case, tool)
   local pictures, titles = {}, {
     [case.press] = "pressed", [case.press + case.slide // 2] = "middle of the slide",
     [case.press + case.slide] = "the end",
   }
   return function(model, info)
     if titles[info.step] then
-      pictures[#pictures + 1] = sg.picture{ model = model, field = field, label = label, cut = "-y",
-                                            title = titles[info.step] }
+      pictures[#pictures + 1] = sg.picture{ model = model, gray = { tool }, field = "von_mises", cut = "-y",
+                                            label = "von Mises stress / E", title = titles[info.step] }
     end
   end, pictures
 end

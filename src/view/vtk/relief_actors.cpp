@@ -74,7 +74,8 @@ vtkSmartPointer<vtkPolyData> plain_mesh(const Points& points, const Points& norm
   return data;
 }
 
-vtkSmartPointer<vtkPolyDataMapper> add_actor(vtkRenderer& renderer, vtkPolyData& data, bool forced_opaque) {
+vtkSmartPointer<vtkPolyDataMapper> add_actor(vtkRenderer& renderer, vtkPolyData& data, bool forced_opaque,
+                                             bool plain = false) {
   auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
   mapper->SetInputData(&data);
   vtkNew<vtkActor> actor;
@@ -84,10 +85,10 @@ vtkSmartPointer<vtkPolyDataMapper> add_actor(vtkRenderer& renderer, vtkPolyData&
   if (data.GetPointData()->GetNormals() == nullptr)
     look.LightingOff();
   else {
-    // Weak shading, so that colors keep their meaning: faces towards the light have the colors of the color bar.
-    look.SetAmbient(0.72);
-    look.SetDiffuse(0.32);
-    look.SetSpecular(0);
+    // Weak shading of fields, so that colors keep their meaning: faces towards the light have the colors of the bar.
+    look.SetAmbient(plain ? 0.5 : 0.72);
+    look.SetDiffuse(plain ? 0.55 : 0.32);
+    look.SetSpecular(0); // would differ from tile to tile, because VTK takes the view as a central one
   }
   renderer.AddActor(actor);
   return mapper;
@@ -104,7 +105,8 @@ void add_field(vtkRenderer& renderer, const Field& field, const Depth& depth) {
     table->SetTableValue(static_cast<vtkIdType>(i), c[0] / 255.0, c[1] / 255.0, c[2] / 255.0);
   }
   table->SetTableRange(field.range[0], field.range[1]);
-  const auto mapper = add_actor(renderer, *data, false);
+  const bool plain = field.colors.front() == field.colors.back(); // a body without a field
+  const auto mapper = add_actor(renderer, *data, false, plain);
   mapper->SetLookupTable(table);
   mapper->UseLookupTableScalarRangeOn();
   mapper->InterpolateScalarsBeforeMappingOn();
