@@ -9,7 +9,7 @@ namespace signorini::contact::test {
 
 constexpr MultiplierSpace multiplier_spaces[] = {MultiplierSpace::equal, MultiplierSpace::reduced};
 
-inline MortarLaw mortar(MultiplierSpace space, double mu = 0) {
+inline Method mortar(MultiplierSpace space, double mu = 0) {
   return {{100, 80, mu}, space};
 }
 

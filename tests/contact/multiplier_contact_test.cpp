@@ -10,10 +10,10 @@ namespace multiplier_contact_test {
 
 using namespace test;
 
-MortarLaw multipliers(MultiplierSpace space, double mu = 0) {
-  MortarLaw law = mortar(space, mu);
-  law.penalty.enforcement = Enforcement::multipliers;
-  return law;
+Method multipliers(MultiplierSpace space, double mu = 0) {
+  Method method = mortar(space, mu);
+  method.law.enforcement = Enforcement::multipliers;
+  return method;
 }
 
 /// Random multipliers: pressures of both signs, friction within and beyond Coulomb's cone.
@@ -46,7 +46,7 @@ TEST(MultiplierContact, TangentIsTheResidualsDerivativeInEveryState) {
   Random random(9);
   for (const MultiplierSpace space : multiplier_spaces)
     for (double mu : {0.0, 0.3}) {
-      const MortarLaw law = multipliers(space, mu);
+      const Method law = multipliers(space, mu);
       sum.add(press_and_slide(pressed_disc("N2", slab("N2"), law, 0.8, 1.0), ++seed, 0.06, mu, {3e-4, 0.02, 0.5}));
       sum.add(press_and_slide(pressed_disc("N2-N2.1", wavy(random, 3, 0.1, 3, 6), law, 1.3, 0.1), ++seed, 0.07, mu,
                               {1e-3, 0.1, -0.4}));
@@ -80,7 +80,7 @@ TEST(MultiplierContact, TangentIsTheResidualsDerivativeIn3D) {
   for (const MultiplierSpace space : multiplier_spaces)
     for (double mu : {0.0, 0.3})
       for (int kind = 0; kind < 3; ++kind) {
-        const MortarLaw law = multipliers(space, mu);
+        const Method law = multipliers(space, mu);
         const int each = mu > 0 ? 3 : 1;
         Couple3 couple = kind < 2 ? Couple3("N2", wavy_plate(random, 3, 0.02, 2 + kind, 4), law, {1.4, 1.5, 0.1}, 5)
                                   : Couple3("N2", Obstacle<3>(make_ball<3>({1.5, 1.5, -2}, 2)), law, {1.5, 1.5, 0.1});

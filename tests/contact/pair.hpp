@@ -6,14 +6,13 @@
 
 namespace signorini::contact::test {
 
-using Law = std::variant<PenaltyLaw, Adhesion, MortarLaw, HalfPass, CohesiveLaw>;
+using Law = Method;
 
 template <int D> class Pair {
 public:
   Pair(Surface<D> slave, Master<D> master, const Law& law, int points, bool revolved = false,
        const Region<D>& where = {})
-      : setting_{std::move(slave), std::move(master), points, revolved, where},
-        method_(std::visit([](const auto& constants) { return Method<D>(constants); }, law)),
+      : setting_{std::move(slave), std::move(master), points, revolved, where}, method_(law),
         formulation_(make_formulation(method_, setting_)), accepted_(initial_history(*formulation_)),
         present_(accepted_) {}
   Pair(Surface<D> slave, Surface<D> master, const Law& law, int points, bool revolved = false,
@@ -105,7 +104,7 @@ private:
   }
 
   ContactSetting<D> setting_;
-  Method<D> method_;
+  Method method_;
   std::unique_ptr<Formulation<D>> formulation_;
   History<D> accepted_, present_;
   Controls controls_;

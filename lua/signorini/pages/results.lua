@@ -42,15 +42,15 @@ end
 return {
   title = "Results of a model", word = "results",
   { "model:profile", [[Returns lists along the slave face, one entry per contact point: x, y (current), X, Y
-(reference), area (current, on which the traction acts; 0 at an open point; with adhesion the reference area, of bonds
-also where they are open), inside (1 in the contact area, see model:contact_resultant, otherwise 0), pressure, traction
-(of friction, along the chord from slip point to foot point, which is tangential on a straight master; in the plane
-positive along the slave face's xi; on the slave it acts in the opposite direction), gap (beyond an open end of the
-master the distance), state ("open", "stick", also of a closed point without friction, "slip", "adhesion", "bonded": not
-closed, held by a bond). At a slipping point |traction| = mu pressure (mortar: at each multiplier). A cohesive contact
-also has damage, from 0 to 1 (no bond); its pressure, negative in tension, and traction include those of the bonds.
-Pressure and traction are forces per current area, whatever `per` of the contact is; with method = "mortar" and with
-adhesion `area`, pressure and traction refer to the reference area.
+(reference), area (current, on which the traction acts; 0 at an open point, but for adhesion and bonds), inside (1 in
+the contact area, see model:contact_resultant, otherwise 0), pressure, traction (of friction, along the chord from slip
+point to foot point, which is tangential on a straight master; in the plane positive along the slave face's xi; on the
+slave it acts in the opposite direction), gap (beyond an open end of the master the distance), state ("open", "stick",
+also of a closed point without friction, "slip", "adhesion", "bonded": not closed, held by a bond). At a slipping point
+|traction| = mu pressure (mortar: at each multiplier). A cohesive contact also has damage, from 0 to 1 (no bond); its
+pressure, negative in tension, and traction include those of the bonds. Pressure and traction are forces per current
+area, whatever `per` of the contact is; with method = "mortar" `area`, pressure and traction refer to the reference
+area.
 In 3D also z, Z, and tx, ty, tz, the components of the friction traction t_T, whose magnitude is `traction`; -t_T acts
 on the slave. Reading any other field is an error.]],
     arguments = { a_contact },
@@ -100,7 +100,7 @@ points, active, hamaker, r0 }. print(model) shows them.]],
     example = "model:contact_law(\"interface\").penalty" },
   { "model:contact_resultant", [[Returns { fx, fy, fz, area, max_pressure, mean_pressure, max_penetration, active,
 slipping, per, unsettled, crossed }: the force on the slave (fz in 3D); the current area in contact (with method =
-"mortar" and with adhesion the reference area), which is that inside gap = 0, linear between contact points; extremes;
+"mortar" the reference area), which is that inside gap = 0, linear between contact points; extremes;
 the largest mean pressure over a slave element (where elements or a high penalty do not resolve the peak, it is closer
 to the peak than max_pressure); the numbers of contact points that touch and slip; and per, "current" or "reference",
 the area on which tractions act; of mortar contact with a penalty also weighted_penetration, the largest of its

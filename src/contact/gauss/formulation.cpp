@@ -10,7 +10,7 @@
 namespace signorini::contact {
 
 template <int D>
-Formulation<D>::Formulation(ContactSetting<D> setting, std::optional<PenaltyLaw> law, Pass pass)
+Formulation<D>::Formulation(ContactSetting<D> setting, std::optional<InterfaceLaw> law, Pass pass)
     : faces_{std::move(setting.slave), std::move(setting.master)},
       points_(faces_.slave, setting.points, setting.revolved, setting.where,
               setting.adaptive ? (2 * setting.points + 2) / 3 : 0),

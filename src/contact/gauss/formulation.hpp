@@ -54,7 +54,7 @@ template <int D> struct ContactCounters {
 template <int D> class Formulation {
 public:
   /// Throws Error if no contact point is left, or a constant of the law is invalid.
-  explicit Formulation(ContactSetting<D> setting, std::optional<PenaltyLaw> law = {}, Pass pass = Pass::full);
+  explicit Formulation(ContactSetting<D> setting, std::optional<InterfaceLaw> law = {}, Pass pass = Pass::full);
   virtual ~Formulation() = default;
   Formulation(const Formulation&) = delete;
   Formulation& operator=(const Formulation&) = delete;

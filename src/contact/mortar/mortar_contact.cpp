@@ -12,9 +12,10 @@
 namespace signorini::contact {
 
 template <int D>
-MortarContact<D>::MortarContact(const ContactSetting<D>& setting, const MortarLaw& law, Pass pass)
-    : Formulation<D>(setting, law.penalty, pass),
-      functions_(faces_.slave, points_, setting.points, law.multipliers), multipliers_{functions_.largest()},
+MortarContact<D>::MortarContact(const ContactSetting<D>& setting, const InterfaceLaw& law, MultiplierSpace multipliers,
+                                Pass pass)
+    : Formulation<D>(setting, law, pass),
+      functions_(faces_.slave, points_, setting.points, multipliers), multipliers_{functions_.largest()},
       parts_(parts_of(faces_, points_, pass)), rows_(parts_.size(), MultiplierRows<D>(faces_, functions_)),
       element_sums_(functions_, faces_.slave.elements()), weighted_(functions_.count()),
       coupling_(faces_, functions_, pass, parts_.size()) {}
@@ -96,7 +97,7 @@ void MortarContact<D>::weigh(std::size_t i, const Trial<D>& trial, FootPoints<D>
 // ── Pressures ────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 template <int D> void MortarContact<D>::decide(const Trial<D>& trial) {
-  const PenaltyLaw law = parameters_.law_in(trial.present.changes, trial.penalty_factor);
+  const InterfaceLaw law = parameters_.law_in(trial.present.changes, trial.penalty_factor);
   const Controls& controls = trial.controls;
   for (int a = 0; a < functions_.count(); ++a) {
     MultiplierResult<D>& result = trial.present.multiplier_results[a];
@@ -303,10 +304,12 @@ void MortarContact<D>::release(History<D>& present, const History<D>& accepted, 
 }
 
 template <int D> double MortarContact<D>::stiffness(const History<D>& history, double penalty_factor) const {
-  const double penalty = largest_penalty(parameters_.law_in(history.changes, penalty_factor));
+  const InterfaceLaw law = parameters_.law_in(history.changes, penalty_factor);
   double sum = 0;
-  for (const MultiplierResult<D>& result : history.multiplier_results)
-    if (result.state != ContactState::open) sum += result.area * penalty * result.area * penalty;
+  for (const MultiplierResult<D>& result : history.multiplier_results) {
+    const double slope = contact::stiffness(law, result.gap);
+    if (result.state != ContactState::open) sum += result.area * slope * result.area * slope;
+  }
   return std::sqrt(sum);
 }
 

@@ -2,7 +2,8 @@
 // Contact conditions at one point of a contact with multipliers that are unknowns: normal contact and Coulomb friction
 // as equations [theory 8.2].
 
-#include "contact/point/penalty.hpp"
+#include "contact/law/interface_law.hpp"
+#include "contact/point/local.hpp"
 
 namespace signorini::contact {
 
@@ -24,7 +25,7 @@ template <int D> PointCondition<D> open_condition(const Vec<D>& multiplier, bool
 ///   c = q n̄ − P(y) − λ,   q = n̄·λ − ε_N (g − o),   y = T (ε_T v − λ),   T = I − n̄ n̄ᵀ,
 /// where P returns y to |y| ≤ μ q (P. Alart, A. Curnier, CMAME 92, 1991).
 template <int D>
-PointCondition<D> closed_condition(const PenaltyLaw& law, const LocalGeometry<D>& geometry, const Vec<D>& multiplier,
+PointCondition<D> closed_condition(const InterfaceLaw& law, const LocalGeometry<D>& geometry, const Vec<D>& multiplier,
                                    bool frictional, const GapRows<D>& gap, const LocalShift<D>& shift);
 
 } // namespace signorini::contact

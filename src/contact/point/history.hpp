@@ -1,7 +1,7 @@
 #pragma once
 // History and results of contact points: plain values, part of a model's state.
 
-#include "contact/point/changes.hpp"
+#include "contact/law/changes.hpp"
 #include "contact/point/contact_points.hpp"
 #include "contact/point/local.hpp"
 
@@ -15,7 +15,7 @@ template <int D> struct PointResult {
   bool beyond = false;              ///< its closest point is an open end of the master
   bool settled = true;              ///< the searches for its closest point and, once accepted, its slip point converged
   double pressure = 0;
-  double area = 0; ///< to which the tractions refer: current; adhesion: reference
+  double area = 0; ///< to which the tractions refer: current; of mortar contact reference, in a half pass current
   /// Tangents of the slave face at a touching point, current, not of unit length
   Eigen::Matrix<double, D, D - 1> tangents = Eigen::Matrix<double, D, D - 1>::Zero();
   Vec<D> friction = Vec<D>::Zero(); ///< t_T; the traction on the slave is t_N n̄ − t_T

@@ -3,25 +3,9 @@
 // area that all laws share.
 
 #include "contact/closest/projection.hpp"
+#include "contact/law/state.hpp"
 
 namespace signorini::contact {
-
-/// Open: no traction (penalty), or beyond the distance of the strongest attraction (adhesion). Stick and slip: closed
-/// (penalty), without friction always stick. Adhesion: closer than the distance of the strongest attraction. Bonded:
-/// not closed, held by a cohesive bond.
-enum class ContactState { open, stick, slip, adhesion, bonded };
-
-/// True if the penalty acts.
-constexpr bool touches(ContactState state) {
-  return state == ContactState::stick || state == ContactState::slip;
-}
-
-/// State to which a point is fixed, independent of its gap and friction; free: not fixed. Touching: stick or slip
-/// according to the friction law.
-enum class FixedContactState : unsigned char { free, open, touching, stick };
-
-/// "open", "stick", "slip", "adhesion", "bonded".
-const char* name_of(ContactState state);
 
 /// Input of a contact law at one point, in the current configuration unless noted otherwise.
 template <int D> struct LocalGeometry {

@@ -28,10 +28,9 @@ template <int D> std::shared_ptr<const Origin<D>> origin_of(const Model<D>& mode
 template <int D>
 std::optional<contact::FaceMultipliers<D>> multipliers_of(const Contact<D>& contact,
                                                           const contact::Formulation<D>& formulation) {
-  const auto kind = multiplier_space(contact);
+  const auto kind = contact.method.multipliers;
   if (!kind) return {};
-  const auto* mortar = std::get_if<contact::MortarLaw>(&contact.method);
-  return contact::FaceMultipliers<D>(formulation.slave(), *kind, mortar ? mortar->joined : 1);
+  return contact::FaceMultipliers<D>(formulation.slave(), *kind, contact.method.unknown.joined);
 }
 
 /// The map of values of one face's multipliers to those of another one with other rows.

@@ -50,7 +50,7 @@ template <int D>
 contact::ContactArea contact_area(const Model<D>& model, std::size_t contact, const contact::History<D>& history) {
   const Scene<D>& scene = model.system.scene;
   const Contact<D>& own = scene.contacts[contact];
-  const bool reference = std::holds_alternative<contact::MortarLaw>(own.method);
+  const bool reference = own.method.multipliers && own.method.pass == contact::Pass::full;
   return contact::contact_area(*model.system.contacts[contact], history, reference, softer_modulus(scene, own));
 }
 

@@ -47,11 +47,18 @@ template <int D> contact::Master<D> master_of(const Scene<D>& scene, const Conta
 
 template <int D> contact::Formulations<D> make_contacts(const Scene<D>& scene) {
   contact::Formulations<D> contacts;
-  for (const Contact<D>& contact : scene.contacts)
-    contacts.push_back(contact::make_formulation<D>(
-        contact.method, {surface_of(scene, contact.slave), master_of(scene, contact), contact.points,
-                         scene.kind == solid::Kind::axisymmetric, contact.where, contact.start, contact.bonded,
-                         contact.adaptive_points}));
+  for (const Contact<D>& contact : scene.contacts) {
+    contact::ContactSetting<D> setting{surface_of(scene, contact.slave),
+                                       master_of(scene, contact),
+                                       contact.points,
+                                       scene.kind == solid::Kind::axisymmetric,
+                                       contact.where,
+                                       contact.start,
+                                       contact.bonded,
+                                       contact.adaptive_points};
+    contacts.push_back(contact.own ? contact.own(std::move(setting))
+                                   : contact::make_formulation<D>(contact.method, std::move(setting)));
+  }
   return contacts;
 }
 
