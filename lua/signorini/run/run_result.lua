@@ -86,15 +86,16 @@ local function record_contact(run, model, contact)
   for _, key in ipairs(contact_columns) do
     if resultant[key] then columns[key] = add_column(run, contact .. "." .. key) end
   end
-  local before = resultant.unsettled
+  local counted = { unsettled = resultant.unsettled, flawed = resultant.flawed }
   run.recorders[#run.recorders + 1] = function(row)
     local now = model:contact_resultant(contact)
     for key, values in pairs(columns) do values[row] = now[key] end
-    if now.unsettled > before then
-      local found = run.unsettled[contact] or { count = 0, step = run.step_column[row] }
-      run.unsettled[contact] = { count = found.count + now.unsettled - before, step = found.step,
-                                 at = now.unsettled_at }
-      before = now.unsettled
+    for key, before in pairs(counted) do
+      if now[key] > before then
+        local found = run[key][contact] or { count = 0 }
+        run[key][contact] = { count = found.count + now[key] - before, at = now[key .. "_at"], flaw = now.flaw }
+        counted[key] = now[key]
+      end
     end
   end
 end
@@ -102,8 +103,8 @@ end
 --- The data of a path, without what a run adds to it.
 local function outline(path)
   return lists.map(path, function(stage)
-    return { name = stage.name, steps = stage.steps, targets = stage.targets, paths = stage.paths,
-             contacts = stage.contacts }
+    return { name = stage.name, steps = stage.steps, duration = stage.duration, targets = stage.targets,
+             paths = stage.paths, contacts = stage.contacts }
   end)
 end
 
@@ -115,13 +116,16 @@ function Run.new(model, path)
     wary = 0, places = {}, wall = 0, stages = {}, controls = {}, fallbacks = {}, energies = {},
     extra = {}, measured = {}, names = {}, values = {}, histories = {}, recorders = {}, stored_states = {},
     before = model:timings(),
-    warnings = {}, unsettled = {}, unstable_law = false,
+    warnings = {}, unsettled = {}, flawed = {}, unstable_law = false,
     jumps = jumps.record(), overlaps = {}, state_findings = {}, examined = 0,
     unexamined = { states = {}, before = {} }, adaptations = {}, contact_zones = {},
   }, Run)
   adapt.begin(run, model)
   run.step_column, run.increment_column = add_column(run, "step"), add_column(run, "increments")
   run.iteration_column, run.wall_column = add_column(run, "iterations"), add_column(run, "wall")
+  if lists.any(path, function(stage) return stage.duration ~= nil end) then
+    record_list(run, { add_column(run, "time") }, function() return { model:time() } end)
+  end
   for _, support in ipairs(model:support_names()) do record_force(run, model, support) end
   for _, load in ipairs(model:load_names()) do record_force(run, model, load) end
   for _, name in ipairs(model:driven_names()) do record_target(run, model, name) end

@@ -89,7 +89,11 @@ template <int D> int contact_law(const model::Model<D>& model, const std::string
   set_fields(L, "offset", formulation.parameters().offset(history.changes), "enforcement", name_of(law.enforcement),
              "penalty", law.normal, "default_penalty", named.default_penalty && !history.changes.normal);
   if (named.start.interference) set_field(L, "overlap", history.changes.overlap);
-  if (contact::may_rub(law)) set_fields(L, "mu", law.friction, "friction_penalty", law.tangential);
+  if (contact::may_rub(law)) set_field(L, "friction_penalty", law.tangential);
+  if (const auto& formula = law.coefficient)
+    set_fields(L, "mu_formula", contact::text_of(*formula), "of_rate", formula->of_rate);
+  else if (contact::may_rub(law))
+    set_field(L, "mu", law.friction);
   return 1;
 }
 
@@ -117,6 +121,11 @@ template <int D> int contact_resultant(const model::Model<D>& model, const std::
     set_field(L, name, static_cast<int>(count));
     if (count > 0) set_field(L, place, VectorX(latest()));
   };
+  if (formulation.parameters().by_formula()) {
+    const auto& counters = formulation.counters;
+    set_count("flawed", "flawed_at", counters.flawed, [&] { return counters.flawed_at; });
+    if (counters.flawed > 0) set_field(L, "flaw", counters.flaw == contact::FrictionFlaw::jumps ? "jumps" : "negative");
+  }
   set_count("unsettled", "unsettled_at", formulation.counters.unsettled,
             [&] { return formulation.counters.unsettled_at; });
   const auto crossed = contact::crossed(formulation, model.present.contacts[contact], model.accepted.contacts[contact]);
@@ -129,6 +138,7 @@ template <int D> int profile(const model::Model<D>& model, const std::string& na
   push_fields(L, "x", all.x, "y", all.y, "X", all.reference_x, "Y", all.reference_y, "area", all.area, "pressure",
               all.pressure, "traction", all.traction, "gap", all.gap, "inside", all.inside, "state", all.state);
   if (!all.damage.empty()) set_field(L, "damage", all.damage);
+  if (!all.mu.empty()) set_fields(L, "mu", all.mu, "slip", all.slip);
   if (D == 3)
     set_fields(L, "z", all.z, "Z", all.reference_z, "tx", all.traction_x, "ty", all.traction_y, "tz", all.traction_z);
   return 1;

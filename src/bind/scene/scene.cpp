@@ -2,6 +2,7 @@
 #include "bind/lua/open.hpp"
 #include "bind/lua/wording/wording.hpp"
 #include "bind/scene/scene_builder.hpp"
+#include "bind/scene/symbols.hpp"
 
 #include <algorithm>
 
@@ -53,6 +54,26 @@ contact::Cohesion read_cohesion(const Arguments& a, double penalty) {
   return cohesion;
 }
 
+/// μ: a number, or what signorini.scene.formula makes of a function or of a table.
+void read_coefficient(const Arguments& friction, contact::InterfaceLaw& law) {
+  law.frictional = true;
+  if (friction.is("mu", LUA_TNUMBER)) {
+    law.friction = friction.get<double>("mu");
+    return;
+  }
+  lua_State* L = friction.state();
+  push_require(L);
+  lua_pushliteral(L, "signorini.scene.formula");
+  lua_call(L, 1, 1);
+  lua_getfield(L, -1, "friction");
+  push(L, friction.name("mu"));
+  friction.push("mu");
+  lua_call(L, 2, 1);
+  const auto& symbol = read_object<Symbol>(L, -1, {"the coefficient of friction"});
+  law.friction = 1;
+  law.coefficient = contact::make_friction_formula({*symbol.graph, symbol.node});
+}
+
 contact::Method read_method(const Arguments& a) {
   if (a.has("adhesion")) {
     const Arguments adhesion = a.table("adhesion");
@@ -61,9 +82,8 @@ contact::Method read_method(const Arguments& a) {
   contact::InterfaceLaw law{a.get("penalty", 0.0)};
   if (a.has("friction")) {
     const Arguments friction = a.table("friction");
-    law.friction = friction.get<double>("mu");
+    read_coefficient(friction, law);
     law.tangential = friction.get("penalty", 0.0);
-    law.frictional = true;
   }
   law.enforcement = choice<contact::Enforcement>(a.get<std::string>("enforcement"), {"penalty", "multipliers"});
   if (a.has("cohesive")) {
@@ -123,6 +143,9 @@ template <int D> model::Contact<D> read_contact(SceneBuilder<D>& builder, const 
             "; self-contact is not available: use a face of the other body");
   contact.method = read_method(a);
   contact.adaptive_points = a.is("points", LUA_TSTRING);
+  const auto& formula = contact.method.law.coefficient;
+  require(!contact.adaptive_points || !formula || !formula->of_rate, a.name("points"),
+          " is \"auto\", but friction.mu depends on v, which points that begin to act do not know: give a number");
   contact.points =
       a.has("points") && !contact.adaptive_points ? a.get<int>("points") : default_points(builder.scene, contact.slave);
   contact.where = read_region<D>(a, {"contacts", name});

@@ -50,6 +50,8 @@ void GaussPointContact<D>::record(std::size_t i, const Trial<D>& trial, const Lo
   result.pressure = force.pressure / force.stretch;
   for (int k = 0; k < D - 1; ++k) result.tangents.col(k) = geometry.slave_tangent[k];
   result.friction = force.friction / force.stretch;
+  result.mu = force.mu;
+  result.flaw = force.flaw;
   result.force = weight * force.force;
   result.law_area = weight * force.measure;
   result.area = result.law_area * force.stretch;
@@ -107,6 +109,7 @@ LocalGeometry<D> GaussPointContact<D>::closed_geometry(std::size_t i, const Tria
   geometry.fixed_state = fixed;
   geometry.tie = trial.controls.tie();
   if (law.friction == 0) return geometry;
+  if (law.coefficient) geometry.rubbing = {trial.duration, point.slipped, point.recent, place_of(points_.reference[i])};
   if (!point.slips) {
     // A newly closed point slips from where it touches or, without a forecast, from its foot in the accepted state.
     std::optional<MasterPoint<D>> from;

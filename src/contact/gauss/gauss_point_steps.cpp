@@ -32,7 +32,7 @@ void GaussPointContact<D>::release(History<D>& present, const History<D>& accept
       present.dissipated +=
           parameters_.energy_share() * before.law_area * friction * friction / (2 * tangential * fraction);
     point.slips = false;
-    point.limit = 0;
+    point.limit = point.slipped = point.recent = 0;
   }
 }
 
@@ -44,10 +44,11 @@ void GaussPointContact<D>::advance_slip_point(std::size_t i, History<D>& history
   PointHistory<D>& point = history.points[i];
   PointResult<D>& result = history.results[i];
   const PointResult<D>& last = accepted.results[i];
-  const double limit = rubbing(history, i) * law.friction * pressure_of(history, i) * result.area;
+  const double limit = rubbing(history, i) * result.mu * pressure_of(history, i) * result.area;
   const double before_slip = limit_before(point.limit, parameters_.friction(accepted.changes), law.friction,
                                           friction_of(accepted, i).norm() * last.area);
   point.limit = limit;
+  double slip_of_step = 0;
   if (!touches(result.state)) {
     point.slips = false;
   } else if (!point.slips) {
@@ -59,9 +60,10 @@ void GaussPointContact<D>::advance_slip_point(std::size_t i, History<D>& history
     master.locate(point.projection.point(), foot);
     master.locate(point.slip, slip_point);
     // |x̄ᵐ − xᵐ(ξ_sl)| decreases to μ t_N/ε_T; the difference is the slip Δγ.
-    const double length = law.friction * pressure_of(history, i) * stretch(result) / law.tangential;
+    const double length = result.mu * pressure_of(history, i) * stretch(result) / law.tangential;
     const double before = (slip_point.position - foot.position).norm(), slipped = std::max(before - length, 0.0);
     history.dissipated += parameters_.energy_share() * 0.5 * (before_slip + limit) * slipped;
+    slip_of_step = slipped;
     point.slip = master.advance(point.slip, foot, length);
     master.locate(point.slip, slip_point);
     const double after = (slip_point.position - foot.position).norm();
@@ -69,6 +71,7 @@ void GaussPointContact<D>::advance_slip_point(std::size_t i, History<D>& history
     const double rounding = distance_rounding * (foot.position.norm() + slip_point.position.norm());
     if (slipped > 0 && std::abs(after - length) > slip_tolerance * before + rounding) result.settled = false;
   }
+  add_slip(point, result.state, slip_of_step);
 }
 
 /// Evaluates the results of points at the displacements evaluated last, where the accepted state equals `present`.

@@ -5,6 +5,7 @@
 
 #include "contact/law/adhesion.hpp"
 #include "contact/law/changes.hpp"
+#include "contact/law/friction_formula.hpp"
 #include "contact/law/state.hpp"
 
 #include <limits>
@@ -22,11 +23,12 @@ enum class Enforcement : unsigned char { penalty, multipliers };
 struct InterfaceLaw {
   double normal;                            ///< ε_N > 0; 0 with adhesion
   double tangential = 0;                    ///< ε_T, used when friction > 0
-  double friction = 0;                      ///< Coulomb's μ ≥ 0
+  double friction = 0;                      ///< Coulomb's μ ≥ 0; 1 if it is a formula
   TractionArea per = TractionArea::current; ///< reference, without friction: the forces derive from an energy
   Enforcement enforcement = Enforcement::penalty;
   bool frictional = false;               ///< μ may change along the path, also if it is 0
   std::optional<Adhesion> adhesion = {}; ///< in place of the penalty: acts at any gap, without friction
+  std::shared_ptr<const FrictionFormula> coefficient = {}; ///< in place of μ
 };
 
 /// Adhesion acts on the reference area.
@@ -66,6 +68,13 @@ inline ContactState state_of(const InterfaceLaw& law, double gap) {
 }
 /// The largest derivative of tractions with respect to gap or slip at a point, by its sign that of p′(g).
 double stiffness(const InterfaceLaw& law, double gap);
+
+/// μ at a pressure and a slip of the step; a formula below 0 counts as 0.
+inline Coefficient coefficient(const InterfaceLaw& law, double pressure, double slip, const Rubbing& at) {
+  if (!law.coefficient) return {law.friction, 0, 0};
+  const Coefficient found = (*law.coefficient)(pressure, slip, at);
+  return found.value < 0 ? Coefficient{0, 0, 0} : found;
+}
 
 /// The friction from which a point slips in a step, times its area: Coulomb's limit in the accepted state or, where a
 /// path has lowered μ, the friction `held` there, if it exceeds the lower limit.

@@ -13,17 +13,22 @@ namespace signorini::contact {
 /// A point that sticks has t = t*, whose derivatives are those of the trial; the others are not set.
 template <int N> struct Slide {
   ContactState state = ContactState::stick;
+  double mu = 0; ///< |t|/p of a point that slips, where it would begin to of one that sticks
+  FrictionFlaw flaw = FrictionFlaw::none;
   Vec<N> friction;
   Vec<N> direction; ///< t*/|t*|
   Mat<N> of_trial;
   double of_pressure = 0, slipped = 0; ///< ∂|t|/∂p, Δγ
 };
 
-/// Returns the trial t* to |t| ≤ μ p:  t = μ p n,  δt = μ n δp + (μ p/|t*|) (I − n nᵀ) δt*  (thesis 3.76),  n =
-/// t*/|t*|, Δγ = (|t*| − μ p)/ε_T. A point whose state is fixed to stick does so at any trial, and at p < 0, where no
-/// limit exists. `tie`: distance from the cone within which a trial slip sticks, if negative slips, see
+/// Returns the trial t* to |t| ≤ μ p. With n = t*/|t*| the slip Δγ of the step is the smallest root of
+///   |t*| − ε_T Δγ = p μ(p, Δγ/Δt, γ + Δγ, X) =: T,   D = ε_T + p dμ/dΔγ,
+///   t = T n,   δt = n [(1 − ε_T/D) n·δt* + (ε_T/D) (μ + p μ_p) δp] + (T/|t*|) (I − n nᵀ) δt*  [theory 7.5];
+/// with a number μ D = ε_T (thesis 3.76). A point whose state is fixed to stick does so at any trial, and at p < 0,
+/// where no limit exists. `tie`: distance from the cone within which a trial slip sticks, if negative slips, see
 /// Controls::tie().
 template <int N>
-Slide<N> slide(const InterfaceLaw& law, const Vec<N>& trial, double pressure, FixedContactState fixed, double tie);
+Slide<N> slide(const InterfaceLaw& law, const Vec<N>& trial, double pressure, FixedContactState fixed, double tie,
+               const Rubbing& at);
 
 } // namespace signorini::contact

@@ -66,7 +66,7 @@ auto members(Adhesion& law) {
 }
 
 auto members(InterfaceLaw& law) {
-  auto& [normal, tangential, friction, per, enforcement, frictional, adhesion] = law;
+  auto& [normal, tangential, friction, per, enforcement, frictional, adhesion, coefficient] = law;
   return std::tie(normal, tangential, friction, per, enforcement, frictional, adhesion);
 }
 
@@ -78,16 +78,16 @@ auto members(Cohesion& law) {
 /// The position follows from the displacements; a point that acts is not beyond the master; `slipped` belongs to a
 /// step.
 template <int D> auto members(PointResult<D>& result) {
-  auto& [state, position, gap, beyond, settled, pressure, area, tangents, friction, force, law_area, potential,
-         slipped] = result;
-  return std::tie(state, gap, pressure, area, tangents, friction, force, law_area, potential);
+  auto& [state, position, gap, beyond, settled, pressure, area, tangents, friction, force, law_area, potential, slipped,
+         mu, flaw] = result;
+  return std::tie(state, gap, pressure, area, tangents, friction, force, law_area, potential, mu);
 }
 
 /// `cleared` is not stored, because settling resets it.
 template <int D> auto members(PointHistory<D>& point) {
-  auto& [projection, cleared, slips, slip, limit] = point;
+  auto& [projection, cleared, slips, slip, limit, slipped, recent] = point;
   auto& [foot, element, along, xi, gap, last] = projection;
-  return std::tie(foot, element, along, xi, gap, last, slips, slip.xi, slip.last, limit);
+  return std::tie(foot, element, along, xi, gap, last, slips, slip.xi, slip.last, limit, slipped, recent);
 }
 
 template <int D> auto members(PointBond<D>& bond) {
@@ -96,14 +96,14 @@ template <int D> auto members(PointBond<D>& bond) {
 }
 
 template <int D> auto members(MultiplierResult<D>& result) {
-  auto& [state, beyond, area, gap, pressure, potential, friction, components, elastic, slipped] = result;
-  return std::tie(state, area, gap, pressure, potential, friction, components, elastic, slipped);
+  auto& [state, beyond, area, gap, pressure, potential, friction, components, elastic, slipped, mu, flaw] = result;
+  return std::tie(state, area, gap, pressure, potential, friction, components, elastic, slipped, mu);
 }
 
 /// `cleared` is not stored, because settling resets it, nor `touch`, which belongs to a step.
 template <int D> auto members(MultiplierHistory<D>& multiplier) {
-  auto& [cleared, elastic, limit, touch] = multiplier;
-  return std::tie(elastic, limit);
+  auto& [cleared, elastic, limit, touch, slipped, recent] = multiplier;
+  return std::tie(elastic, limit, slipped, recent);
 }
 
 namespace {
@@ -176,12 +176,15 @@ Obstacle<3> read(ArchiveReader& from, std::type_identity<Obstacle<3>>) {
 
 void write(ArchiveWriter& to, const Method& method) {
   // `unknown` follows from material and mesh.
-  to.put(method.law, method.multipliers, method.pass, method.bond);
+  to.put(method.law, method.multipliers, method.pass, method.bond, method.law.coefficient != nullptr);
+  if (method.law.coefficient) to.put(method.law.coefficient->formula);
 }
 
 Method read(ArchiveReader& from, std::type_identity<Method>) {
   Method method;
   from.into(method.law, method.multipliers, method.pass, method.bond);
+  if (from.get<bool>())
+    method.law.coefficient = make_friction_formula(symbolic::read_formula(from, friction_variables()));
   return method;
 }
 

@@ -55,8 +55,10 @@ void friction(const InterfaceLaw& law, const MultiplierSums<D>& sums, const Mult
   const Vec<D> v = sums.slip / sums.area - history.touch;
   // Trial ε_T (η_A + e·V), V = V_A − V*_A
   const Components slip = e.transpose() * v, trial = law.tangential * (history.elastic + slip);
-  const Slide<D - 1> step = slide<D - 1>(law, trial, result.pressure, control.fixed, control.tie);
+  const Slide<D - 1> step = slide<D - 1>(law, trial, result.pressure, control.fixed, control.tie, control.rubbing);
   result.state = step.state;
+  result.mu = step.mu;
+  result.flaw = step.flaw;
   const Components& traction = step.friction;
   Square scale = Square::Identity(); // ∂traction/∂trial
   if (step.state == ContactState::slip) {
@@ -94,6 +96,7 @@ MultiplierTangent<D> mortar_law(const InterfaceLaw& law, const MultiplierSums<D>
   tangent.pressure = response.rate;
   result.state = ContactState::stick;
   result.potential = response.potential * sums.area;
+  result.mu = law.coefficient ? 0 : law.friction;
   if (law.friction > 0 && (result.pressure > 0 || control.fixed == FixedContactState::stick))
     friction(law, sums, history, control, result, tangent);
   return tangent;

@@ -138,6 +138,8 @@ void MultiplierContact<D>::transmit(std::size_t i, const Trial<D>& trial, const 
   force.measure = geometry.reference_measure;
   fade_area(geometry, force.shift, force.measure, measure_row);
   force.state = condition.state;
+  force.mu = condition.mu;
+  force.flaw = condition.flaw;
   force.potential = 0;
   force.pressure = n.dot(traction);
   force.friction = force.pressure * n - traction;
@@ -204,7 +206,7 @@ void MultiplierContact<D>::commit(History<D>& present, const History<D>& accepte
     PointHistory<D>& point = present.points[i];
     const PointResult<D>&result = present.results[i], &last = accepted.results[i];
     const bool closed = touches(result.state);
-    const double limit = closed ? friction * std::max(0.0, result.pressure) * result.area : 0;
+    const double limit = closed ? result.mu * std::max(0.0, result.pressure) * result.area : 0;
     if (!closed || !point.slips || limit == 0) {
       point.slip = point.projection.point();
     } else if (result.state == ContactState::slip) {
@@ -214,6 +216,7 @@ void MultiplierContact<D>::commit(History<D>& present, const History<D>& accepte
     }
     point.slips = closed;
     point.limit = limit;
+    add_slip(point, result.state, result.slipped);
   }
   this->accept(present, accepted, penalty_factor);
 }

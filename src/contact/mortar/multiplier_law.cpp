@@ -18,6 +18,7 @@ PointCondition<D> closed_condition(const InterfaceLaw& law, const LocalGeometry<
   using Force = LocalForce<D>;
   PointCondition<D> condition;
   condition.state = ContactState::stick;
+  condition.mu = law.coefficient ? 0 : law.friction;
   const double g = geometry.gap - geometry.offset;
   if (!frictional) {
     condition.residual(0) = -law.normal * g;
@@ -42,13 +43,15 @@ PointCondition<D> closed_condition(const InterfaceLaw& law, const LocalGeometry<
     LocalBlock<D> rows =
         law.tangential * (plane * slip) - (n.dot(x) * Mat<D>::Identity() + n * x.transpose()) * gap.normal;
     Mat<D> of_multiplier = -plane;
-    const Slide<D> step = slide<D>(law, y, q, geometry.fixed_state, geometry.tie);
+    const Slide<D> step = slide<D>(law, y, q, geometry.fixed_state, geometry.tie, geometry.rubbing);
+    condition.mu = step.mu;
+    condition.flaw = step.flaw;
     if (step.state == ContactState::slip) {
       condition.state = ContactState::slip;
       condition.slipped = step.slipped;
       rows = step.of_trial * rows;
       of_multiplier = step.of_trial * of_multiplier;
-      if (step.of_pressure > 0) {
+      if (step.of_pressure != 0) {
         rows += (step.of_pressure * step.direction) * q_row;
         of_multiplier += (step.of_pressure * step.direction) * n.transpose();
       }

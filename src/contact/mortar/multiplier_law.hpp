@@ -14,7 +14,9 @@ template <int D> struct PointCondition {
   Vec<D> residual = Vec<D>::Zero();
   Mat<D> of_multiplier = Mat<D>::Zero();
   LocalBlock<D> rows = LocalBlock<D>::Zero(); ///< with respect to the local variables
-  double slipped = 0;                         ///< (|y| − μ q)/ε_T of a point that slips
+  double slipped = 0;                         ///< Δγ of a point that slips: (|y| − μ q)/ε_T
+  double mu = 0;                              ///< see Slide
+  FrictionFlaw flaw = FrictionFlaw::none;     ///< see Slide
 };
 
 /// An open point: c = −λ.

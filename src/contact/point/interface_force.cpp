@@ -29,8 +29,10 @@ void rub(const InterfaceLaw& law, const LocalGeometry<D>& geometry, const LocalR
   trial_rows.template middleCols<D>(Force::master_column).diagonal().array() += law.tangential;
   trial_rows.template middleCols<D>(Force::slip_column).diagonal().setConstant(-law.tangential);
 
-  const Slide<D> step = slide<D>(law, trial, result.pressure, geometry.fixed_state, geometry.tie);
+  const Slide<D> step = slide<D>(law, trial, result.pressure, geometry.fixed_state, geometry.tie, geometry.rubbing);
   result.state = step.state;
+  result.mu = step.mu;
+  result.flaw = step.flaw;
   result.friction = step.friction;
   result.potential += step.friction.squaredNorm() / (2 * law.tangential); // |t_T|²/(2 ε_T)
   if (step.state == ContactState::stick) {
@@ -63,6 +65,8 @@ void interface_force(const InterfaceLaw& law, const LocalGeometry<D>& geometry, 
   });
   result.state = state_of(law, g);
   result.friction.setZero();
+  result.mu = law.coefficient ? 0 : law.friction;
+  result.flaw = FrictionFlaw::none;
   result.potential = response.potential;
   // A point with a fixed state may be in tension, where Coulomb's limit does not exist.
   const bool rubs = result.pressure > 0 || geometry.fixed_state == FixedContactState::stick;
