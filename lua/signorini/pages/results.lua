@@ -111,7 +111,8 @@ separation; with "half_passes" also imbalance, |f + f2| / max(|f|, |f2|) with th
 much action and reaction differ, 0 without forces. unsettled: how often, in all accepted states so far, the search for a
 closest point or slip point ended at the limit of iterations; unsettled_at is the reference position of the latest such
 point. With a formula of friction flawed: how often it was negative at a point, or fell faster with the slip than the
-tangential penalty can follow; flaw, "negative" or "jumps", and flawed_at tell the latest. crossed: how many points have passed through the master without contact since the accepted state, 0 in accepted
+tangential penalty can follow; flaw, "negative" or "jumps", and flawed_at tell the latest. crossed: how many points have
+passed through the master without contact since the accepted state, 0 in accepted
 states; crossed_at is the reference position of the last of them.]],
     arguments = { a_contact },
     returns = t.record("fx fy", t.number, "fz?", t.number, "area max_pressure mean_pressure max_penetration", t.number,
