@@ -89,6 +89,8 @@ inline constexpr double rule_hysteresis = 2;
 
 /// Largest distance of a slip point from Coulomb's cone, relative to its trial distance.
 inline constexpr double slip_tolerance = 1e-6;
+/// Iterations for the slip at which a formula of friction is met: bisection, the safeguard, needs 53.
+inline constexpr int most_slip_iterations = 60;
 /// Relative error of a slip point's distance to the foot point that counts as rounding error.
 inline constexpr double slip_rounding = 1e-15;
 /// Relative error of such a distance where positions are rounded, whose error is relative to coordinates.

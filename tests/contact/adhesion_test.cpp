@@ -87,7 +87,7 @@ template <int D> void tangent_and_shift(Foot foot) {
     const Variables<D> q = random_variables<D>(random, foot, gap, 0);
     const Situation<D> situation{random_curvature<D>(random), foot, false, D == 2 && trial % 2 == 0,
                                  uniform(random, 0.5, 2)};
-    const Outcome<D> at = evaluate<D>(law, q, situation);
+    const Outcome<D> at = evaluate<D>(adhesive(law), q, situation);
     const double distance = std::abs(at.gap - equilibrium_distance(law));
     if (distance < 0.02 * law.distance) continue; // T″ jumps there
     (at.gap < equilibrium_distance(law) ? below : at.force.state == ContactState::adhesion ? attracting : open)++;
@@ -96,7 +96,7 @@ template <int D> void tangent_and_shift(Foot foot) {
     EXPECT_EQ(at.force.pressure, traction(law, at.gap));
     EXPECT_EQ(at.force.friction.norm(), 0);
     EXPECT_NEAR(at.force.force.norm(), at.force.measure * std::abs(at.force.pressure), 1e-14 * at.force.force.norm());
-    compare_with_differences<D>(law, q, situation, 2e-4 * law.distance);
+    compare_with_differences<D>(adhesive(law), q, situation, 2e-4 * law.distance);
   }
   EXPECT_GT(below, 20);
   EXPECT_GT(attracting, 5);
@@ -119,7 +119,7 @@ TEST(Adhesion, OnAFlatRigidMasterTheTangentIsThePublishedOne) {
   for (double gap : {0.2, 0.3, 0.45, 2.0}) {
     const Variables<3> q = random_variables<3>(random, Foot::regular, gap, 0);
     const Situation<3> flat{{Vec<3>::Zero(), Vec<3>::Zero(), Vec<3>::Zero()}, Foot::regular, false, false, 0.7};
-    const LocalForce<3> at = evaluate<3>(law, q, flat).force;
+    const LocalForce<3> at = evaluate<3>(adhesive(law), q, flat).force;
     const Vec<3> n =
         upward<3>({q.segment<3>(LocalForce<3>::tangent_column), q.segment<3>(LocalForce<3>::tangent_column + 3)});
     const Mat<3> expected = 0.7 * stiffness(law, gap) * n * n.transpose();

@@ -20,10 +20,10 @@ TEST(AdhesivePair, TangentIsTheForcesDerivative) {
   Census census;
   for (int round = 0; round < 4; ++round) {
     std::vector<Couple> couples;
-    couples.emplace_back("N2-N2.1", slab("N2"), law, 1.3, 1.02);
-    couples.emplace_back("N2", wavy(random, 3, 0.1, 3, 4), law, 1.3, 0.1);
-    couples.emplace_back("N2-N4", make_plane<2>({1.3, 0}, {0.1, 2}), law, 1.3, 0.1);
-    couples.emplace_back("N2", make_ball<2>({1.3, -2}, 2), law, 1.3, 0.1);
+    couples.emplace_back("N2-N2.1", slab("N2"), adhesive(law), 1.3, 1.02);
+    couples.emplace_back("N2", wavy(random, 3, 0.1, 3, 4), adhesive(law), 1.3, 0.1);
+    couples.emplace_back("N2-N4", make_plane<2>({1.3, 0}, {0.1, 2}), adhesive(law), 1.3, 0.1);
+    couples.emplace_back("N2", make_ball<2>({1.3, -2}, 2), adhesive(law), 1.3, 0.1);
     for (Couple& couple : couples) {
       couple.touch();
       couple.move_die(0, 0.03 * (round - 1)); // pushed in, touching, and drawn off
@@ -36,7 +36,7 @@ TEST(AdhesivePair, TangentIsTheForcesDerivative) {
 
 TEST(AdhesivePair, UniformGapActsOnTheReferenceLength) {
   for (double r : {0.02, 0.03, 0.038, 0.1}) {
-    Couple couple(strip("N2"), "south", make_plane<2>({0, -r}, {0, 1}), law, 4);
+    Couple couple(strip("N2"), "south", make_plane<2>({0, -r}, {0, 1}), adhesive(law), 4);
     // Stretching the strip along the substrate to twice its length leaves the resultant unchanged.
     const MatrixX points = couple.die.points();
     for (int a = 0; a < points.cols(); ++a) couple.u(2 * a) = points(0, a);
@@ -47,11 +47,11 @@ TEST(AdhesivePair, UniformGapActsOnTheReferenceLength) {
       force += point.force;
       EXPECT_NEAR(point.gap, r, 1e-15);
       EXPECT_EQ(point.state, r < strongest_distance(law) ? ContactState::adhesion : ContactState::open);
-      EXPECT_EQ(point.pressure, traction(law, point.gap));
+      EXPECT_NEAR(point.pressure, traction(law, point.gap) / 2, 1e-15 * std::abs(total)); // a Cauchy pressure
     }
     EXPECT_NEAR((force - Vec<2>(0, total)).norm(), 0, 1e-12 * std::abs(stiffness(law, 0)) * r);
     EXPECT_NEAR((couple.pair.resultant().force - force).norm(), 0, 1e-14 * std::abs(total));
-    EXPECT_NEAR(couple.pair.area(), r < strongest_distance(law) ? 3 : 0, 1e-13);
+    EXPECT_NEAR(couple.pair.area(), r < strongest_distance(law) ? 6 : 0, 1e-13);
     EXPECT_NEAR(couple.dense().force.tail<2>()(1), total, 1e-12 * std::abs(stiffness(law, 0)) * r);
   }
 }
@@ -59,7 +59,7 @@ TEST(AdhesivePair, UniformGapActsOnTheReferenceLength) {
 /// Adhesion has no history: after accepting or rolling back the same displacements give the same forces.
 TEST(AdhesivePair, IsIndependentOfThePath) {
   Random random(2);
-  Couple couple("N2", wavy(random, 3, 0.1, 3, 4), law, 1.3, 0.1);
+  Couple couple("N2", wavy(random, 3, 0.1, 3, 4), adhesive(law), 1.3, 0.1);
   couple.touch().move_die(0, 0.03).evaluate();
   const VectorX at = couple.u;
   const Dense before = couple.dense();
@@ -78,7 +78,7 @@ TEST(AdhesivePair, WhereLimitsTheContactToAPartOfTheFace) {
   const auto face = [&] { return Surface<2>(strip("N2"), nurbs::side_of("south", 2)); };
   const Region<2> left = [](const Vec<2>& x) { return x(0) <= 1.5; };
   Random random(3);
-  for (const Law& any : {Law(law), Law(PenaltyLaw{100, 100, 0.3})}) {
+  for (const Law& any : {Law(adhesive(law)), Law(InterfaceLaw{100, 100, 0.3})}) {
     const Obstacle<2> plane = make_plane<2>({0, 0.01}, {0, 1});
     Pair<2> whole(face(), plane, any, 4), part(face(), plane, any, 4, false, left);
     VectorX u(2 * strip("N2").functions());
@@ -100,7 +100,7 @@ TEST(AdhesivePair, WhereLimitsTheContactToAPartOfTheFace) {
     EXPECT_EQ(part.gaps().size(), 12u);
   }
   const auto nowhere = [&] {
-    return Pair<2>(face(), Obstacle<2>(make_plane<2>({0, 0}, {0, 1})), law, 4, false,
+    return Pair<2>(face(), Obstacle<2>(make_plane<2>({0, 0}, {0, 1})), adhesive(law), 4, false,
                    [](const Vec<2>&) { return false; });
   };
   EXPECT_ERROR(nowhere(), "contact.points.none");
@@ -108,8 +108,8 @@ TEST(AdhesivePair, WhereLimitsTheContactToAPartOfTheFace) {
 
 TEST(AdhesivePair, ErrorsNameTheArgument) {
   const auto build = [](const Law& any) { Couple("N2", make_plane<2>({0, 0}, {0, 1}), any, 1, 1); };
-  EXPECT_ERROR(build(Adhesion{-1, 1}), "contact.adhesion.hamaker: value = -1");
-  EXPECT_ERROR(build(Adhesion{1, -1}), "contact.adhesion.distance: value = -1");
+  EXPECT_ERROR(build(adhesive({-1, 1})), "contact.adhesion.hamaker: value = -1");
+  EXPECT_ERROR(build(adhesive({1, -1})), "contact.adhesion.distance: value = -1");
 }
 
 } // namespace adhesive_pair_test

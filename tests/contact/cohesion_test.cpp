@@ -1,5 +1,5 @@
 // The cohesive law at one point: traction, its derivative, energies, and secant unloading.
-#include "contact/point/cohesion.hpp"
+#include "contact/law/cohesion.hpp"
 
 #include "differences.hpp"
 #include "nurbs/random_patch.hpp"

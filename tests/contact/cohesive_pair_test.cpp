@@ -49,8 +49,8 @@ template <int D> void move_and_compare(Bonded<D>& couple, unsigned seed, bool sy
   }
 }
 
-CohesiveLaw with(const Cohesion& cohesion, double mu = 0) {
-  return {{100, 60, mu, TractionArea::reference}, cohesion};
+Method with(const Cohesion& cohesion, double mu = 0) {
+  return {{100, 60, mu, TractionArea::reference}, {}, Pass::full, cohesion};
 }
 const Cohesion exponential{2, 0.05}, bilinear{2, 0.05, Softening::bilinear, 150};
 

@@ -19,7 +19,7 @@ TEST(ContactArea, EndsWhereALinearGapOfACurveIsZero) {
   for (const double x : {0.11, 0.8, 1.234, 1.5, 2.9}) {
     const Vec<2> normal = Vec<2>(0.01, 1).normalized();
     Couple couple(discretize(nurbs::rectangle(3, 1, Eigen::Vector2d(0, 0)), {7, 1}, "N2", "south"), "south",
-                  make_plane<2>({x, 0}, normal), PenaltyLaw{100, 80, 0}, 4);
+                  make_plane<2>({x, 0}, normal), InterfaceLaw{100, 80, 0}, 4);
     couple.evaluate();
     const ContactArea found = contact_area(couple.pair.formulation(), couple.pair.present(), current, modulus);
     EXPECT_NEAR(found.area, x, 1e-13);
@@ -31,7 +31,7 @@ TEST(ContactArea, EndsWhereALinearGapOfACurveIsZero) {
 /// Also where tractions act per reference area, pressures are those on the current area, of closed and open points.
 TEST(ContactArea, OfAStretchedFaceIsTheCurrentOne) {
   for (const TractionArea per : {TractionArea::current, TractionArea::reference}) {
-    PenaltyLaw law{100, 80, 0};
+    InterfaceLaw law{100, 80, 0};
     law.per = per;
     Couple couple(discretize(nurbs::rectangle(3, 1, Eigen::Vector2d(0, 0)), {7, 1}, "N2", "south"), "south",
                   make_plane<2>({2.468, 0}, {0.01, 1}), law, 4);
@@ -46,7 +46,7 @@ TEST(ContactArea, OfAStretchedFaceIsTheCurrentOne) {
 TEST(ContactArea, IsThatOfTheFaceOrZeroWithoutABorder) {
   for (const double y : {0.1, -0.1}) {
     Couple couple(discretize(nurbs::rectangle(3, 1, Eigen::Vector2d(0, 0)), {7, 1}, "N2", "south"), "south",
-                  make_plane<2>({0, y}, {0, 1}), PenaltyLaw{100, 80, 0}, 4);
+                  make_plane<2>({0, y}, {0, 1}), InterfaceLaw{100, 80, 0}, 4);
     couple.evaluate();
     EXPECT_NEAR(contact_area(couple.pair.formulation(), couple.pair.present(), current, modulus).area, y > 0 ? 3 : 0,
                 1e-13);
@@ -68,7 +68,7 @@ TEST(ContactArea, EndsWhereALinearGapOfASurfaceIsZero) {
        {Case{{1, 1}, 0.7, 0.245}, Case{{1, 2}, 0.9, 0.2025}, Case{{1, 0.5}, 1.5, 2}, Case{{1, 0}, 0.37, 0.74}}) {
     const Vec<3> normal = Vec<3>(0.01 * slope(0), 0.01 * slope(1), 1).normalized();
     const Vec<3> place = (c / slope.squaredNorm()) * Vec<3>(slope(0), slope(1), 0);
-    Pair<3> pair(face, Obstacle<3>(make_plane<3>(place, normal)), PenaltyLaw{100, 80, 0}, 3);
+    Pair<3> pair(face, Obstacle<3>(make_plane<3>(place, normal)), InterfaceLaw{100, 80, 0}, 3);
     pair.evaluate(zero.data(), zero.data());
     EXPECT_NEAR(contact_area(pair.formulation(), pair.present(), current, modulus).area, area, 0.006);
   }

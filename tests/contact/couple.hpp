@@ -11,7 +11,7 @@ struct Couple : Moved<2, Couple> {
          bool revolved = false)
       : Moved(std::move(slave), side, std::move(master), "north", law, points, revolved) {}
   /// A half annulus of radius 0.5 whose lowest point is (x, y).
-  template <class AnyMaster, class AnyLaw = PenaltyLaw>
+  template <class AnyMaster, class AnyLaw = InterfaceLaw>
   Couple(const std::string& label, AnyMaster master, const AnyLaw& law, double x, double y, bool revolved = false)
       : Couple(discretize(nurbs::half_annulus(0.3, 0.5, Eigen::Vector2d(x, y + 0.5)), {6, 2}, label, "south"), "south",
                std::move(master), law, 9, revolved) {}

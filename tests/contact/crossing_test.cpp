@@ -79,7 +79,7 @@ std::size_t crossed(const std::vector<Vec<2>>& places, const Law& law) {
 }
 
 TEST(Crossing, PairCountsPointsThatTheMasterHasPassed) {
-  for (const Law& law : {Law(PenaltyLaw{1}), Law(PenaltyLaw{1, 1, 0.3})}) {
+  for (const Law& law : {Law(InterfaceLaw{1}), Law(InterfaceLaw{1, 1, 0.3})}) {
     const std::size_t wide = crossed({{2, 1}, {2, -2}}, law), inside = crossed({{2, 1}, {2, -0.6}}, law);
     EXPECT_GT(wide, 8U); // 12 points per length, within its width of 1
     EXPECT_LT(wide, 48U);
@@ -90,7 +90,7 @@ TEST(Crossing, PairCountsPointsThatTheMasterHasPassed) {
 }
 
 TEST(Crossing, IgnoresOtherMotions) {
-  for (const Law& law : {Law(PenaltyLaw{1}), Law(PenaltyLaw{1, 1, 0.3})}) {
+  for (const Law& law : {Law(InterfaceLaw{1}), Law(InterfaceLaw{1, 1, 0.3})}) {
     EXPECT_EQ(crossed({{2, 1}, {2, 0.4}, {2, 1}, {2, 3}}, law), 0U);          // down and up
     EXPECT_EQ(crossed({{1, 0.4}, {3, 0.4}, {1, 0.3}, {3.4, 0.45}}, law), 0U); // along, farther than its width
     EXPECT_EQ(crossed({{3.5, 0.45}, {4.2, 0.45}, {4.6, 0.2}, {4.6, -0.2}, {4.6, -2}}, law), 0U); // off the end

@@ -83,7 +83,7 @@ TEST(Degrees, TangentIsTheForcesDerivative) {
   // As slave, above a smooth face
   for (int trial = 0; trial < 4; ++trial)
     sum.add(press_and_drag(Couple(nurbs::test::strip(1, {2, 4, 3}, "south"), "south", wavy(random, 3, 0.1, 2, 5),
-                                  PenaltyLaw{100, 50, 0.3}, 6),
+                                  InterfaceLaw{100, 50, 0.3}, 6),
                            ++seed, 0.04, {3e-4, 0.05}));
   sum.expect({.states = 12, .stick = 40, .slip = 40, .elsewhere = 3});
 }

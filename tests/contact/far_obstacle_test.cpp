@@ -127,7 +127,7 @@ TEST(FarObstacle, TangentIsTheForcesDerivative) {
       for (const Obstacle<2>& shape :
            {Obstacle<2>(make_ball<2>({1.3, -radius}, radius)), Obstacle<2>(make_ball<2>({1.3, radius}, radius, true)),
             Obstacle<2>(make_plane<2>({radius, 0}, {0, 1}))})
-        sum.add(press_and_drag(Couple("N2", shape, PenaltyLaw{100, 100, mu}, 1.3, 0.1), ++seed, 0.06, {1e-3, 0.1}));
+        sum.add(press_and_drag(Couple("N2", shape, InterfaceLaw{100, 100, mu}, 1.3, 0.1), ++seed, 0.06, {1e-3, 0.1}));
       EXPECT_GE(sum.states, 6);
       EXPECT_GT(sum.stick, 20);
       EXPECT_EQ(sum.slip > 10, mu > 0);
@@ -153,7 +153,7 @@ TEST(FarObstacle, ForcesOnLargeShapesAreThoseOnAPlane) {
         Obstacle<3>(make_cylinder({radius, 0, -radius}, {1, 0, 0}, radius)),
         Obstacle<3>(make_cylinder({0, 3, radius}, {1, 1, 0}, radius, true)),
         Obstacle<3>(make_plane<3>({radius, radius, 0}, {0, 0, 1}))}) {
-    const PenaltyLaw law{100, 100, 0.3};
+    const InterfaceLaw law{100, 100, 0.3};
     std::vector<Dense> expected;
     Couple3 flat("N2", plane, law, {0.2, 0.1, 0.1}), round("N2", shape, law, {0.2, 0.1, 0.1});
     wander(flat, [&](Couple3& now) { expected.push_back(now.dense()); });

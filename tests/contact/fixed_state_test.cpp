@@ -139,7 +139,7 @@ TEST(FixedContactState, TangentIsTheForcesDerivativeIn3D) {
   Census census;
   const auto plate = wavy_plate(random, 2, 0.1, 2, 3);
   for (FixedContactState state : {FixedContactState::touching, FixedContactState::stick}) {
-    Couple3 couple("N2", plate, PenaltyLaw{100, 100, 0.3}, {1, 1, 0.2}, 3);
+    Couple3 couple("N2", plate, InterfaceLaw{100, 100, 0.3}, {1, 1, 0.2}, 3);
     couple.touch().move_die({0, 0, -0.03}).evaluate().accept().move_die({0.02, -0.01, 0.01});
     couple.pair.fix_states(std::vector<FixedContactState>(couple.pair.results().size(), state));
     compare_with_differences(couple, random, census);
@@ -151,7 +151,7 @@ TEST(FixedContactState, TangentIsTheForcesDerivativeIn3D) {
 }
 
 TEST(FixedContactState, AdhesionIgnoresIt) {
-  Couple couple("N2", slab("N2"), Adhesion{0.02, 0.05}, 1.4, 1.02);
+  Couple couple("N2", slab("N2"), adhesive({0.02, 0.05}), 1.4, 1.02);
   couple.evaluate();
   const VectorX before = couple.dense().force;
   ASSERT_GT(before.norm(), 0);

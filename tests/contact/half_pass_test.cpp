@@ -10,8 +10,8 @@ namespace half_pass_test {
 
 using namespace test;
 
-HalfPass half(double mu, double tangential = 100) {
-  return {{100, tangential, mu}};
+Method half(double mu, double tangential = 100) {
+  return {{100, tangential, mu}, {}, Pass::half};
 }
 
 TEST(HalfPass, TangentIsTheForcesDerivativeInEveryState) {
@@ -91,7 +91,7 @@ void compare_with_full(AnyCouple full, AnyCouple pass, const Move& press, const 
 TEST(HalfPass, ActsOnTheSlaveAsAFullPassDoes) {
   const std::function<void(Couple&)> down = [](Couple& c) { c.move_die(0, -0.05); };
   const std::function<void(Couple&)> along = [](Couple& c) { c.move_die(0.03, 0); };
-  const PenaltyLaw law = half(0.2).penalty;
+  const InterfaceLaw law = half(0.2).law;
   compare_with_full(Couple("N2", slab("N2"), law, 1.4, 1.0), Couple("N2", slab("N2"), half(0.2), 1.4, 1.0), down,
                     along);
   Random one(2), same(2);

@@ -13,7 +13,7 @@ namespace history_transfer_test {
 
 using namespace test;
 
-constexpr PenaltyLaw law{100, 50, 0.4};
+const InterfaceLaw law{100, 50, 0.4};
 
 /// A block above a slab, both with `elements` along the contact; the block's lower face is the slave.
 struct Blocks {

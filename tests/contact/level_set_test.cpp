@@ -100,7 +100,7 @@ TEST(LevelSet, TangentIsTheForcesDerivativeInEveryState) {
                                               superellipse({1.3, -0.6}, 1, 0.6, 4), waves(0.05, 5)};
   for (double mu : {0.0, 0.3})
     for (const Obstacle<2>& obstacle : obstacles)
-      sum.add(press_and_drag(Couple("N2-N2.1", obstacle, PenaltyLaw{100, 100, mu}, 1.3, 0.1), ++seed, 0.06,
+      sum.add(press_and_drag(Couple("N2-N2.1", obstacle, InterfaceLaw{100, 100, mu}, 1.3, 0.1), ++seed, 0.06,
                              {1e-3, 0.1, 0.25}));
   sum.expect({.states = 15, .stick = 20, .slip = 20});
 }
@@ -121,7 +121,7 @@ TEST(LevelSet, HasTheForcesOfClosedForms) {
     }
     return forces;
   };
-  for (const Law& law : {Law(PenaltyLaw{100, 100, 0.3}), Law(MortarLaw{PenaltyLaw{100, 100, 0.3}})})
+  for (const Law& law : {Law(InterfaceLaw{100, 100, 0.3}), Law({100, 100, 0.3}, MultiplierSpace::equal)})
     for (const auto& [form, formula] : {std::pair<Obstacle<2>, Obstacle<2>>(ball, level_set_of(ball, 2.5)),
                                         std::pair<Obstacle<2>, Obstacle<2>>(plane, level_set_of(plane, 2.5))}) {
       Census census, other;

@@ -2,8 +2,7 @@
 // A law at one contact point as a function of its local variables, on a master that is quadratic about the foot point:
 // x(η) = x̄ + τ_α η^α + ½ x_,αβ η^α η^β.
 
-#include "contact/point/adhesion.hpp"
-#include "contact/point/penalty.hpp"
+#include "contact/point/interface_force.hpp"
 
 #include "differences.hpp"
 #include "nurbs/random_patch.hpp"
@@ -45,19 +44,6 @@ template <int D> struct Outcome {
   double gap;
 };
 
-inline void apply(const PenaltyLaw& law, const LocalGeometry<2>& g, LocalForce<2>& f) {
-  penalty_force(law, g, f);
-}
-inline void apply(const PenaltyLaw& law, const LocalGeometry<3>& g, LocalForce<3>& f) {
-  penalty_force(law, g, f);
-}
-inline void apply(const Adhesion& law, const LocalGeometry<2>& g, LocalForce<2>& f) {
-  adhesion_force(law, g, f);
-}
-inline void apply(const Adhesion& law, const LocalGeometry<3>& g, LocalForce<3>& f) {
-  adhesion_force(law, g, f);
-}
-
 template <int D> Vec<D> upward(const std::array<Vec<D>, D - 1>& tangent) {
   if constexpr (D == 2)
     return Vec<2>(-tangent[0](1), tangent[0](0)).normalized();
@@ -66,7 +52,7 @@ template <int D> Vec<D> upward(const std::array<Vec<D>, D - 1>& tangent) {
 }
 
 /// The law for local variables q, with the foot point by Newton's method on (xˢ − x(η))·x_,α = 0.
-template <int D, class Law> Outcome<D> evaluate(const Law& law, const Variables<D>& q, const Situation<D>& situation) {
+template <int D> Outcome<D> evaluate(const InterfaceLaw& law, const Variables<D>& q, const Situation<D>& situation) {
   using Force = LocalForce<D>;
   constexpr int tangents = D - 1;
   const Vec<D> slave = q.template head<D>();
@@ -121,7 +107,7 @@ template <int D, class Law> Outcome<D> evaluate(const Law& law, const Variables<
   geometry.reference_measure = situation.reference_measure;
   geometry.fixed_state = situation.fixed_state;
   outcome.gap = geometry.gap;
-  apply(law, geometry, outcome.force);
+  interface_force(law, geometry, outcome.force);
   return outcome;
 }
 

@@ -9,8 +9,14 @@ namespace signorini::contact::test {
 
 constexpr MultiplierSpace multiplier_spaces[] = {MultiplierSpace::equal, MultiplierSpace::reduced};
 
-inline MortarLaw mortar(MultiplierSpace space, double mu = 0) {
+inline Method mortar(MultiplierSpace space, double mu = 0) {
   return {{100, 80, mu}, space};
+}
+
+inline Method multipliers(MultiplierSpace space, double mu = 0) {
+  Method method = mortar(space, mu);
+  method.law.enforcement = Enforcement::multipliers;
+  return method;
 }
 
 /// A half annulus of radius 0.5 with small elements whose lowest point is (x, y).
@@ -41,6 +47,30 @@ inline std::ptrdiff_t beyond(const Pair<2>& pair) {
 template <int D> int count(const Pair<D>& pair, ContactState state) {
   return static_cast<int>(std::count_if(pair.multipliers().begin(), pair.multipliers().end(),
                                         [&](const auto& one) { return one.state == state; }));
+}
+
+/// Random multipliers: pressures of both signs, friction within and beyond Coulomb's cone.
+template <class AnyCouple> void set_multipliers(AnyCouple& couple, Random& random, int each, double mu) {
+  for (int i = couple.first_extra(); i < couple.u.size(); ++i)
+    couple.u(i) =
+        (i - couple.first_extra()) % each == each - 1 ? uniform(random, -0.02, 0.06) : uniform(random, -mu, mu) * 0.03;
+}
+
+/// Presses, then drags, with a comparison in each state.
+inline Census press_and_slide(Couple couple, unsigned seed, double depth, double mu, const std::vector<double>& drags) {
+  Random random(seed);
+  Census census;
+  const int each = mu > 0 ? 2 : 1;
+  couple.shake(random, 0.003).touch().move_die(0, -depth);
+  set_multipliers(couple, random, each, mu);
+  compare_with_differences(couple, census);
+  couple.pair.accept();
+  for (double drag : drags) {
+    couple.move_die(drag, 0);
+    set_multipliers(couple, random, each, mu);
+    compare_with_differences(couple, census);
+  }
+  return census;
 }
 
 } // namespace signorini::contact::test

@@ -11,8 +11,8 @@ namespace mortar_half_pass_test {
 
 using namespace test;
 
-HalfPass half(MultiplierSpace space, double mu) {
-  return {{100, 80, mu}, space};
+Method half(MultiplierSpace space, double mu) {
+  return {{100, 80, mu}, space, Pass::half};
 }
 
 /// Lengthens a disc along x by a share of its width, so that current and reference areas differ.

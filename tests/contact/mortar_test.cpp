@@ -191,9 +191,11 @@ TEST(Mortar, SkippingFarElementsMissesNoContact) {
 }
 
 TEST(Mortar, ErrorsNameTheArgument) {
-  const auto build = [](MortarLaw own) { pressed_disc("N2", slab("N2"), own, 1, 1); };
-  EXPECT_ERROR(build({{0, 100, 0.2}}), "contact.penalty.normal: value = 0");
-  EXPECT_ERROR(build({{100, 0, 0.2}}), "contact.penalty.tangential: value = 0");
+  const auto build = [](const InterfaceLaw& own) {
+    pressed_disc("N2", slab("N2"), Law(own, MultiplierSpace::equal), 1, 1);
+  };
+  EXPECT_ERROR(build({0, 100, 0.2}), "contact.penalty.normal: value = 0");
+  EXPECT_ERROR(build({100, 0, 0.2}), "contact.penalty.tangential: value = 0");
   EXPECT_ERROR(Couple(polyline({{0, 2}, {1, 2}}), "north", slab("N2"), mortar(MultiplierSpace::reduced), 3),
                "contact.mortar.reduced_degree: degree = 1");
 }

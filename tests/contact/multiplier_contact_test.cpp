@@ -10,43 +10,13 @@ namespace multiplier_contact_test {
 
 using namespace test;
 
-MortarLaw multipliers(MultiplierSpace space, double mu = 0) {
-  MortarLaw law = mortar(space, mu);
-  law.penalty.enforcement = Enforcement::multipliers;
-  return law;
-}
-
-/// Random multipliers: pressures of both signs, friction within and beyond Coulomb's cone.
-template <class AnyCouple> void set_multipliers(AnyCouple& couple, Random& random, int each, double mu) {
-  for (int i = couple.first_extra(); i < couple.u.size(); ++i)
-    couple.u(i) =
-        (i - couple.first_extra()) % each == each - 1 ? uniform(random, -0.02, 0.06) : uniform(random, -mu, mu) * 0.03;
-}
-
-/// Presses, then drags, with a comparison in each state.
-Census press_and_slide(Couple couple, unsigned seed, double depth, double mu, const std::vector<double>& drags) {
-  Random random(seed);
-  Census census;
-  const int each = mu > 0 ? 2 : 1;
-  couple.shake(random, 0.003).touch().move_die(0, -depth);
-  set_multipliers(couple, random, each, mu);
-  compare_with_differences(couple, census);
-  couple.pair.accept();
-  for (double drag : drags) {
-    couple.move_die(drag, 0);
-    set_multipliers(couple, random, each, mu);
-    compare_with_differences(couple, census);
-  }
-  return census;
-}
-
 TEST(MultiplierContact, TangentIsTheResidualsDerivativeInEveryState) {
   Census sum;
   unsigned seed = 0;
   Random random(9);
   for (const MultiplierSpace space : multiplier_spaces)
     for (double mu : {0.0, 0.3}) {
-      const MortarLaw law = multipliers(space, mu);
+      const Method law = multipliers(space, mu);
       sum.add(press_and_slide(pressed_disc("N2", slab("N2"), law, 0.8, 1.0), ++seed, 0.06, mu, {3e-4, 0.02, 0.5}));
       sum.add(press_and_slide(pressed_disc("N2-N2.1", wavy(random, 3, 0.1, 3, 6), law, 1.3, 0.1), ++seed, 0.07, mu,
                               {1e-3, 0.1, -0.4}));
@@ -80,7 +50,7 @@ TEST(MultiplierContact, TangentIsTheResidualsDerivativeIn3D) {
   for (const MultiplierSpace space : multiplier_spaces)
     for (double mu : {0.0, 0.3})
       for (int kind = 0; kind < 3; ++kind) {
-        const MortarLaw law = multipliers(space, mu);
+        const Method law = multipliers(space, mu);
         const int each = mu > 0 ? 3 : 1;
         Couple3 couple = kind < 2 ? Couple3("N2", wavy_plate(random, 3, 0.02, 2 + kind, 4), law, {1.4, 1.5, 0.1}, 5)
                                   : Couple3("N2", Obstacle<3>(make_ball<3>({1.5, 1.5, -2}, 2)), law, {1.5, 1.5, 0.1});

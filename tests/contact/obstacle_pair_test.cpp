@@ -32,7 +32,7 @@ TEST(ObstaclePair, TangentIsTheForcesDerivativeInEveryState) {
   for (double mu : {0.0, 0.3})
     for (int round = 0; round < 3; ++round)
       for (const Obstacle<2>& obstacle : obstacles(random))
-        sum.add(press_and_drag(Couple("N2-N2.1", obstacle, PenaltyLaw{100, 100, mu}, 1.3, 0.1), ++seed, 0.06,
+        sum.add(press_and_drag(Couple("N2-N2.1", obstacle, InterfaceLaw{100, 100, mu}, 1.3, 0.1), ++seed, 0.06,
                                {1e-3, 0.1, 0.25}));
   sum.expect({.states = 50, .open = 500, .stick = 100, .slip = 100});
   EXPECT_EQ(sum.elsewhere, 0); // one node for all slip points
@@ -52,7 +52,7 @@ TEST(ObstaclePair, ForceOnTheObstacleIsMinusThatOnTheBody) {
   Random random(2);
   for (double mu : {0.0, 0.3})
     for (const Obstacle<2>& obstacle : obstacles(random)) {
-      Couple couple("N2", obstacle, PenaltyLaw{100, 100, mu}, 1.3, 0.1);
+      Couple couple("N2", obstacle, InterfaceLaw{100, 100, mu}, 1.3, 0.1);
       wander(couple, [&](Couple& now) {
         const Dense at = now.dense();
         Vec<2> on_die = Vec<2>::Zero();
@@ -84,7 +84,7 @@ TEST(ObstaclePair, ForceOnTheObstacleIsMinusThatOnTheBody) {
 TEST(ObstaclePair, OnlyRelativeMotionMatters) {
   Random random(3);
   for (const Obstacle<2>& obstacle : obstacles(random)) {
-    Couple die("N2", obstacle, PenaltyLaw{100, 100, 0.3}, 1.3, 0.1), moved = die;
+    Couple die("N2", obstacle, InterfaceLaw{100, 100, 0.3}, 1.3, 0.1), moved = die;
     die.touch();
     moved.touch();
     for (const Vec<2>& by : {Vec<2>(0, -0.05), Vec<2>(0.002, 0), Vec<2>(0.1, 0.01), Vec<2>(-0.03, 0)}) {
@@ -113,8 +113,8 @@ TEST(ObstaclePair, CurvesAgreeWithClosedForms) {
     for (const auto& [form, curve] : twins) {
       std::vector<Dense> by_form, by_curve;
       Census census;
-      Couple closed("N2", form, PenaltyLaw{100, 100, mu}, 1.33, 0.1),
-          exact("N2", curve, PenaltyLaw{100, 100, mu}, 1.33, 0.1);
+      Couple closed("N2", form, InterfaceLaw{100, 100, mu}, 1.33, 0.1),
+          exact("N2", curve, InterfaceLaw{100, 100, mu}, 1.33, 0.1);
       wander(closed, [&](Couple& now) {
         by_form.push_back(now.dense());
         census.count(now.pair);
@@ -140,7 +140,7 @@ std::vector<Resultant<2>> around(const Obstacle<2>& disc, double start, double t
   const auto direction = [](double degrees) { return Vec<2>(nurbs::direction_of(degrees)); };
   const nurbs::Patch facing =
       nurbs::translate(nurbs::rotate(arc, start - 90, Eigen::Vector2d(0, 0)), (radius + 0.5) * direction(start));
-  Couple couple(discretize(facing, {6, 2}, "N2", "south"), "south", disc, PenaltyLaw{100, 100, 0.2}, 9);
+  Couple couple(discretize(facing, {6, 2}, "N2", "south"), "south", disc, InterfaceLaw{100, 100, 0.2}, 9);
   couple.evaluate().accept();
   const MatrixX points = couple.die.points();
   std::vector<Resultant<2>> results;

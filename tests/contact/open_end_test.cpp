@@ -155,7 +155,7 @@ TEST(OpenEnd, TangentIsTheForcesDerivative) {
   for (const char* label : {"N4", "N2-N2.2", "L1"})
     for (double mu : {0.0, 0.3})
       for (bool revolved : {false, true}) {
-        Couple couple("N2", slab(label), PenaltyLaw{100, 80, mu}, 2.95, 1.0, revolved);
+        Couple couple("N2", slab(label), InterfaceLaw{100, 80, mu}, 2.95, 1.0, revolved);
         Random random(++seed);
         couple.shake(random, 0.001).touch().move_die(0, -0.06);
         for (double drag : {0.0, 3e-4, 0.03, 0.1}) {
@@ -176,7 +176,7 @@ TEST(OpenEnd, PointsThatWaitBeyondAnEndTouchWhenTheyArrive) {
   Random random(11);
   int waiting = 0, touching = 0;
   for (const double lift : {0.0, 0.3}) {
-    Couple couple("N2", slab("N2"), PenaltyLaw{100, 80, 0}, 3.2, 1 + lift);
+    Couple couple("N2", slab("N2"), InterfaceLaw{100, 80, 0}, 3.2, 1 + lift);
     const Couple start = couple;
     for (int step = 0; step < 60; ++step) {
       const double size = step % 5 == 0 ? 0.2 : 0.02;
@@ -201,7 +201,7 @@ TEST(OpenEnd, PointsThatWaitBeyondAnEndTouchWhenTheyArrive) {
 /// The end of a slab bends up: points beyond it, 0.6 away, are behind it then, although nothing moved that far.
 TEST(OpenEnd, PointsBeyondAnEndAreFoundBehindItWhenItTurns) {
   const nurbs::Discretization fine = discretize(nurbs::rectangle(3, 1, Eigen::Vector2d(0, 0)), {30, 3}, "N2", "north");
-  Couple couple("N2", fine, PenaltyLaw{100, 80, 0}, 4, 1);
+  Couple couple("N2", fine, InterfaceLaw{100, 80, 0}, 4, 1);
   const Couple start = couple;
   couple.evaluate();
   for (const auto& point : couple.pair.results()) EXPECT_EQ(point.state, ContactState::open);
@@ -282,8 +282,8 @@ TEST(OpenEnd, TangentIsTheForcesDerivativeWithAdhesionAndOnRigidCurves) {
   Random random(7);
   for (int round = 0; round < 4; ++round) {
     std::vector<Couple> couples;
-    couples.emplace_back("N2-N2.1", slab("N2"), Adhesion{0.02, 0.05}, 2.9, 1.02);
-    couples.emplace_back("N2", Obstacle<2>(curve), PenaltyLaw{100, 80, 0.3}, 3.95, 1.0);
+    couples.emplace_back("N2-N2.1", slab("N2"), adhesive({0.02, 0.05}), 2.9, 1.02);
+    couples.emplace_back("N2", Obstacle<2>(curve), InterfaceLaw{100, 80, 0.3}, 3.95, 1.0);
     for (Couple& couple : couples) {
       couple.touch().move_die(0.02 * round, -0.02 * round).shake(random, 0.002);
       compare_with_differences(couple, sum);
@@ -298,7 +298,7 @@ TEST(OpenEnd, TangentIsTheForcesDerivativeIn3D) {
   int past = 0;
   for (double mu : {0.0, 0.3})
     for (const Vec<3>& at : {Vec<3>(2.9, 1.5, 0.1), Vec<3>(2.9, 2.9, 0.1)}) { // at an edge, at a corner
-      Couple3 couple("N2", wavy_plate(random, 3, 0.02, 2, 4), PenaltyLaw{100, 80, mu}, at);
+      Couple3 couple("N2", wavy_plate(random, 3, 0.02, 2, 4), InterfaceLaw{100, 80, mu}, at);
       couple.touch().move_die({0, 0, -0.05});
       for (const Vec<3>& drag : {Vec<3>(0, 0, 0), Vec<3>(3e-4, 1e-4, 0), Vec<3>(0.03, 0.02, 0)}) {
         couple.move_die(drag).shake(random, 0.0005);
@@ -313,7 +313,7 @@ TEST(OpenEnd, TangentIsTheForcesDerivativeIn3D) {
 
 /// Largest change of the force between steps while the die is dragged off the slab's end.
 double largest_jump(int steps) {
-  Couple couple("N2", slab("N2"), PenaltyLaw{100, 100, 0}, 2.8, 0.95);
+  Couple couple("N2", slab("N2"), InterfaceLaw{100, 100, 0}, 2.8, 0.95);
   double jump = 0;
   Vec<2> before = Vec<2>::Zero();
   for (int step = 0; step <= steps; ++step, couple.move_die(0.6 / steps, 0)) {
@@ -331,7 +331,7 @@ TEST(OpenEnd, TheForceIsContinuousWhilePointsPassTheEnd) {
 }
 
 TEST(OpenEnd, ForcesAndMomentsBalance) {
-  Couple couple("N2", slab("N3"), PenaltyLaw{100, 100, 0}, 3.0, 0.95);
+  Couple couple("N2", slab("N3"), InterfaceLaw{100, 100, 0}, 3.0, 0.95);
   couple.evaluate();
   EXPECT_GT(beyond(couple.pair), 0);
   const VectorX force = couple.dense().force;

@@ -6,14 +6,13 @@
 
 namespace signorini::contact::test {
 
-using Law = std::variant<PenaltyLaw, Adhesion, MortarLaw, HalfPass, CohesiveLaw>;
+using Law = Method;
 
 template <int D> class Pair {
 public:
   Pair(Surface<D> slave, Master<D> master, const Law& law, int points, bool revolved = false,
        const Region<D>& where = {})
-      : setting_{std::move(slave), std::move(master), points, revolved, where},
-        method_(std::visit([](const auto& constants) { return Method<D>(constants); }, law)),
+      : setting_{std::move(slave), std::move(master), points, revolved, where}, method_(law),
         formulation_(make_formulation(method_, setting_)), accepted_(initial_history(*formulation_)),
         present_(accepted_) {}
   Pair(Surface<D> slave, Surface<D> master, const Law& law, int points, bool revolved = false,
@@ -25,7 +24,7 @@ public:
   Pair(const Pair& other)
       : setting_(other.setting_), method_(other.method_), formulation_(make_formulation(method_, setting_)),
         accepted_(other.accepted_), present_(other.present_), controls_(other.controls_), factor_(other.factor_),
-        accepted_place_(other.accepted_place_), place_(other.place_) {
+        duration_(other.duration_), accepted_place_(other.accepted_place_), place_(other.place_) {
     for (History<D>* history : {&accepted_, &present_}) {
       for (auto& point : history->points) point.cleared = 0;
       for (auto& multiplier : history->multipliers) multiplier.cleared = 0;
@@ -67,6 +66,7 @@ public:
   }
   void land(bool landing) { controls_.all_stick = landing; }
   void scale_penalty(double factor) { factor_ = factor; }
+  void take(double duration) { duration_ = duration; }
   const History<D>& history() const { return accepted_; }
   const History<D>& present() const { return present_; }
   void restore(const History<D>& history) {
@@ -94,7 +94,7 @@ private:
   struct Place {
     std::vector<double> slave, master;
   };
-  Trial<D> trial() { return {present_, accepted_, controls_, factor_, extra_}; }
+  Trial<D> trial() { return {present_, accepted_, controls_, factor_, extra_, duration_}; }
   static std::vector<double> copy(const double* displacement, const Surface<D>& face) {
     int last = 0;
     for (int i = 0; i < face.functions(); ++i) last = std::max(last, face.body_function(i));
@@ -105,11 +105,11 @@ private:
   }
 
   ContactSetting<D> setting_;
-  Method<D> method_;
+  Method method_;
   std::unique_ptr<Formulation<D>> formulation_;
   History<D> accepted_, present_;
   Controls controls_;
-  double factor_ = 1;
+  double factor_ = 1, duration_ = 0;
   const double* extra_ = nullptr;
   Place accepted_place_, place_;
 };

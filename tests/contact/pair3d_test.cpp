@@ -32,8 +32,8 @@ TEST(SolidPair, TangentIsTheForcesDerivativeInEveryState) {
   for (const char* label : {"N2", "N3", "N2-N2.1"})
     for (double mu : {0.0, 0.3})
       for (int degree : {1, 2, 3})
-        wander(Couple3(label, wavy_plate(random, 3, 0.02, degree, 4), PenaltyLaw{100, 80, mu}, {1.4, 1.5, 0.1}), ++seed,
-               0.05, sum);
+        wander(Couple3(label, wavy_plate(random, 3, 0.02, degree, 4), InterfaceLaw{100, 80, mu}, {1.4, 1.5, 0.1}),
+               ++seed, 0.05, sum);
   sum.expect({.states = 60, .stick = 200, .slip = 200, .elsewhere = 10});
 }
 
@@ -47,7 +47,7 @@ TEST(SolidPair, TangentIsTheForcesDerivativeOnEdgesAndCorners) {
   const auto pit = below({two, two}, points, VectorX::Ones(9));
   for (double mu : {0.0, 0.3}) {
     Random random(5);
-    Couple3 couple("N2", pit, PenaltyLaw{100, 80, mu}, {1.5, 1.5, 0.05}, 12);
+    Couple3 couple("N2", pit, InterfaceLaw{100, 80, mu}, {1.5, 1.5, 0.05}, 12);
     couple.touch().move_die({0.0002, 0.0001, -0.12}).evaluate();
     int off_normal = 0;
     FacePoint<3> foot;
@@ -88,7 +88,7 @@ TEST(SolidPair, TangentIsTheForcesDerivativeOnCurvedObstacles) {
   unsigned seed = 300;
   for (double mu : {0.0, 0.3})
     for (const Obstacle<3>& obstacle : curved_obstacles())
-      wander(Couple3("N2", obstacle, PenaltyLaw{100, 80, mu}, {1.5, 1.5, 0.1}), ++seed, 0.05, sum);
+      wander(Couple3("N2", obstacle, InterfaceLaw{100, 80, mu}, {1.5, 1.5, 0.1}), ++seed, 0.05, sum);
   sum.expect({.states = 30, .stick = 50, .slip = 50});
 }
 
@@ -98,7 +98,7 @@ TEST(SolidPair, TangentIsTheForcesDerivativeOnObstacles) {
   unsigned seed = 50;
   for (double mu : {0.0, 0.3})
     for (const Obstacle<3>& obstacle : obstacles(random))
-      wander(Couple3("N2", obstacle, PenaltyLaw{100, 80, mu}, {1.5, 1.5, 0.1}), ++seed, 0.05, sum);
+      wander(Couple3("N2", obstacle, InterfaceLaw{100, 80, mu}, {1.5, 1.5, 0.1}), ++seed, 0.05, sum);
   sum.expect({.states = 25, .stick = 100, .slip = 100});
 }
 
@@ -106,7 +106,7 @@ TEST(SolidPair, ForcesBalanceAndWithoutFrictionMomentsToo) {
   Random random(4);
   for (double mu : {0.0, 0.3})
     for (int trial = 0; trial < 4; ++trial) {
-      Couple3 couple("N2", wavy_plate(random, 3, 0.03, 2, 4), PenaltyLaw{100, 100, mu}, {1.4, 1.5, 0.1});
+      Couple3 couple("N2", wavy_plate(random, 3, 0.03, 2, 4), InterfaceLaw{100, 100, mu}, {1.4, 1.5, 0.1});
       couple.touch().move_die({0.02, 0.01, -0.06}).shake(random, 0.003);
       expect_balanced(couple, mu);
     }
@@ -117,7 +117,7 @@ TEST(SolidPair, SlipFollowsAnyDirectionAtCoulombsLimit) {
   Random random(6);
   const double mu = 0.25;
   for (const Obstacle<3>& obstacle : obstacles(random)) {
-    Couple3 couple("N2", obstacle, PenaltyLaw{100, 100, mu}, {1.5, 1.5, 0.1});
+    Couple3 couple("N2", obstacle, InterfaceLaw{100, 100, mu}, {1.5, 1.5, 0.1});
     couple.touch().move_die({0, 0, -0.05}).evaluate().accept();
     for (int step = 0; step < 12; ++step) {
       const double angle = 0.5 * step; // turns and comes back
@@ -144,7 +144,7 @@ TEST(SolidPair, SlipFollowsAnyDirectionAtCoulombsLimit) {
 TEST(SolidPair, TwistingIsMuTimesPressureTimesRadius) {
   // Far beyond the limit of sticking every point slips around the axis: M = μ ∫ p r da.
   const double mu = 0.4;
-  Couple3 couple("N2", make_plane<3>({0, 0, 0}, {0, 0, 1}), PenaltyLaw{100, 1e4, mu}, {0, 0, 0.1});
+  Couple3 couple("N2", make_plane<3>({0, 0, 0}, {0, 0, 1}), InterfaceLaw{100, 1e4, mu}, {0, 0, 0.1});
   couple.touch().move_die({0, 0, -0.05}).evaluate().accept();
   for (int step = 0; step < 20; ++step) {
     couple.turn_die(0.05, Vec<3>::Zero()).evaluate().accept();

@@ -183,7 +183,7 @@ TEST(Pair, GapsIncludeOpenPoints) {
 }
 
 TEST(Pair, ErrorsNameTheArgument) {
-  const auto build = [](PenaltyLaw law) { Couple("N2", slab("N2"), law, 1, 1); };
+  const auto build = [](InterfaceLaw law) { Couple("N2", slab("N2"), law, 1, 1); };
   EXPECT_ERROR(build({0, 100, 0.2}), "contact.penalty.normal: value = 0");
   EXPECT_ERROR(build({-1, 100, 0.2}), "contact.penalty.normal: value = -1");
   EXPECT_ERROR(build({100, 100, -0.1}), "contact.penalty.friction: value = -0.1");

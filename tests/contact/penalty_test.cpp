@@ -10,7 +10,7 @@ using namespace test;
 
 template <int D> void tangent_and_shift(Foot foot, double reach, ContactState expected, bool revolved = false) {
   Random random(static_cast<unsigned>(D));
-  const PenaltyLaw law{100, 80, 0.3};
+  const InterfaceLaw law{100, 80, 0.3};
   for (int trial = 0; trial < 40; ++trial) {
     const Variables<D> q = random_variables<D>(random, foot, -0.05, reach);
     const Situation<D> situation{random_curvature<D>(random), foot, reach > 0, revolved};
@@ -52,7 +52,7 @@ TEST(Penalty, Axisymmetric) {
 /// The same traction on the full circle's area 2πr ds.
 TEST(Penalty, AxisymmetricAreaIsThatOfTheFullCircle) {
   Random random(5);
-  const PenaltyLaw law{100, 80, 0.3};
+  const InterfaceLaw law{100, 80, 0.3};
   for (int trial = 0; trial < 20; ++trial) {
     const Variables<2> q = random_variables<2>(random, Foot::regular, -0.05, trial % 2 == 0 ? 0.01 : 0.3);
     Situation<2> situation{random_curvature<2>(random), Foot::regular, true};
@@ -70,7 +70,7 @@ TEST(Penalty, AxisymmetricAreaIsThatOfTheFullCircle) {
 /// t_T follows the slip, so that the traction on the slave, t_N n̄ − t_T, resists it.
 TEST(Penalty, FrictionOpposesTheMotion) {
   Random random(7);
-  const PenaltyLaw law{100, 80, 0.3};
+  const InterfaceLaw law{100, 80, 0.3};
   const Situation<3> flat{{Vec<3>::Zero(), Vec<3>::Zero(), Vec<3>::Zero()}, Foot::regular, true};
   for (double reach : {0.01, 0.3}) {
     const Variables<3> q = random_variables<3>(random, Foot::regular, -0.05, reach);
@@ -88,7 +88,7 @@ TEST(Penalty, FrictionOpposesTheMotion) {
 /// Checks state and force at a given gap, with the slip point at distance `reach`.
 template <int D> void fixed(Foot foot, double gap, double reach, FixedContactState fixed_state, ContactState expected) {
   Random random(static_cast<unsigned>(D));
-  const PenaltyLaw law{100, 80, 0.3};
+  const InterfaceLaw law{100, 80, 0.3};
   for (int trial = 0; trial < 20; ++trial) {
     const Variables<D> q = random_variables<D>(random, foot, gap, reach);
     const Situation<D> situation{random_curvature<D>(random), foot, reach > 0, false, 1, fixed_state};

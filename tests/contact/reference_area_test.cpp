@@ -11,7 +11,7 @@ namespace reference_area_test {
 
 using namespace test;
 
-PenaltyLaw per_reference(double mu, double normal = 100, double tangential = 100) {
+InterfaceLaw per_reference(double mu, double normal = 100, double tangential = 100) {
   return {normal, tangential, mu, TractionArea::reference};
 }
 
@@ -35,7 +35,7 @@ template <int D> MatrixX point_tangent(const LocalForce<D>& at) {
 
 template <int D> void tangent_at_a_point(Foot foot, double reach, double mu, bool revolved = false) {
   Random random(static_cast<unsigned>(D));
-  const PenaltyLaw law = per_reference(mu, 100, 80);
+  const InterfaceLaw law = per_reference(mu, 100, 80);
   for (int trial = 0; trial < 40; ++trial) {
     const Variables<D> q = random_variables<D>(random, foot, -0.05, reach);
     const Situation<D> situation{random_curvature<D>(random), foot, reach > 0, revolved, uniform(random, 0.5, 2)};
@@ -67,7 +67,7 @@ TEST(ReferenceArea, TangentAtAPoint) {
 TEST(ReferenceArea, PerCurrentAreaATangentIsNotSymmetric) {
   Random random(1);
   const Variables<2> q = random_variables<2>(random, Foot::regular, -0.05, 0);
-  const LocalForce<2> at = evaluate<2>(PenaltyLaw{100}, q, {random_curvature<2>(random)}).force;
+  const LocalForce<2> at = evaluate<2>(InterfaceLaw{100}, q, {random_curvature<2>(random)}).force;
   EXPECT_GT(at.tangent.middleCols<2>(LocalForce<2>::slave_tangent_column).norm(), 0.1);
 }
 
@@ -102,7 +102,7 @@ TEST(ReferenceArea, TangentInEveryState) {
   for (double mu : {0.0, 0.3})
     for (int trial = 0; trial < 2; ++trial)
       for (bool revolved : {false, true}) {
-        const PenaltyLaw law = per_reference(mu);
+        const InterfaceLaw law = per_reference(mu);
         sum.add(press_and_drag(Couple("N2-N2.1", slab("N2"), law, 1.3, 1.0, revolved), ++seed, 0.06, mu));
         // A wavy face with kinks, and a polyline whose kink is the foot point of many points
         sum.add(press_and_drag(Couple("N2", wavy(random, 3, 0.1, 3, 6), law, 1.3, 0.1, revolved), ++seed, 0.06, mu));
@@ -119,7 +119,7 @@ TEST(ReferenceArea, TangentOfSolidsInEveryState) {
   Census sum;
   Random random(4);
   for (double mu : {0.0, 0.3}) {
-    const PenaltyLaw law = per_reference(mu, 100, 80);
+    const InterfaceLaw law = per_reference(mu, 100, 80);
     std::vector<Couple3> couples;
     couples.emplace_back("N2", wavy_plate(random, 3, 0.02, 2, 4), law, Vec<3>(1.4, 1.5, 0.1));
     couples.emplace_back("N2-N2.1", wavy_plate(random, 3, 0.02, 1, 4), law, Vec<3>(1.4, 1.5, 0.1)); // with edges
@@ -167,7 +167,7 @@ TEST(ReferenceArea, OnlyFadingPointsMakeTheTangentUnsymmetric) {
 // ── Results ──────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 /// The lower side of a strip of length 3, on a plane, stretched along it to `times` its length; axisymmetric: a disc.
-Couple stretched(const PenaltyLaw& law, double depth, double times, bool revolved = false) {
+Couple stretched(const InterfaceLaw& law, double depth, double times, bool revolved = false) {
   Couple couple(discretize(nurbs::rectangle(3, 0.5, Eigen::Vector2d(0, 0)), {6, 1}, "N2", "south"), "south",
                 make_plane<2>({0, 0}, {0, 1}), law, 4, revolved);
   const MatrixX points = couple.die.points();
@@ -241,7 +241,7 @@ TEST(ReferenceArea, SpringsStoreTheWorkOfFrictionlessContact) {
 /// Per current area the springs of a face that is stretched from 3 to 6 get ½ ε g² times its growth without work.
 TEST(ReferenceArea, GrowthOfTheAreaIsCountedWhereTractionsActOnIt) {
   const double depth = 0.01, density = 0.5 * 100 * depth * depth;
-  for (const PenaltyLaw& law : {PenaltyLaw{100}, per_reference(0)}) {
+  for (const InterfaceLaw& law : {InterfaceLaw{100}, per_reference(0)}) {
     Couple couple = stretched(law, depth, 1);
     couple.pair.accept();
     for (int step = 0; step < 4; ++step) {

@@ -15,12 +15,12 @@ TEST(Revolved, TangentIsTheForcesDerivativeInEveryState) {
   unsigned seed = 200;
   for (double mu : {0.0, 0.3})
     for (double axis : {0.6, 1.3}) { // the die nearly reaches the axis, or is a ring far from it
-      sum.add(press_and_drag(Couple("N2-N2.1", slab("N2"), PenaltyLaw{100, 100, mu}, axis, 1.0, true), ++seed, 0.06,
+      sum.add(press_and_drag(Couple("N2-N2.1", slab("N2"), InterfaceLaw{100, 100, mu}, axis, 1.0, true), ++seed, 0.06,
                              {3e-4, 0.02, 0.3}));
-      sum.add(press_and_drag(Couple("N2", make_plane<2>({0, 0}, {0.2, 2}), PenaltyLaw{100, 100, mu}, axis, 0.1, true),
+      sum.add(press_and_drag(Couple("N2", make_plane<2>({0, 0}, {0.2, 2}), InterfaceLaw{100, 100, mu}, axis, 0.1, true),
                              ++seed, 0.06, {3e-4, 0.1, 0.3}));
-      sum.add(press_and_drag(Couple("N2", make_ball<2>({1, -2}, 2), PenaltyLaw{100, 100, mu}, axis, 0.1, true), ++seed,
-                             0.06, {1e-3, 0.1, 0.3}));
+      sum.add(press_and_drag(Couple("N2", make_ball<2>({1, -2}, 2), InterfaceLaw{100, 100, mu}, axis, 0.1, true),
+                             ++seed, 0.06, {1e-3, 0.1, 0.3}));
     }
   sum.expect({.states = 35, .open = 500, .stick = 100, .slip = 100});
 }
@@ -30,7 +30,7 @@ TEST(Revolved, UniformPressureOnAFlatRing) {
   const double inner = 0.4, outer = 1.9, depth = 0.01, penalty = 50;
   const auto ring = discretize(nurbs::rectangle(outer - inner, 0.5, Eigen::Vector2d(inner, 0)), {4, 2}, "N2", "south");
   for (int points : {2, 5}) {
-    Couple couple(ring, "south", make_plane<2>({0, 0}, {0, 1}), PenaltyLaw{penalty}, points, true);
+    Couple couple(ring, "south", make_plane<2>({0, 0}, {0, 1}), InterfaceLaw{penalty}, points, true);
     couple.move_die(0, -depth).evaluate();
     const Resultant<2> sum = couple.pair.resultant();
     const double area = pi * (outer * outer - inner * inner);
@@ -49,7 +49,7 @@ TEST(Revolved, UniformPressureOnAFlatRing) {
 TEST(Revolved, AdhesionActsOnTheReferenceArea) {
   const Adhesion law{0.1, 0.4};
   const auto ring = discretize(nurbs::rectangle(2, 0.5, Eigen::Vector2d(1, 0)), {4, 2}, "N2", "south");
-  Couple couple(ring, "south", make_plane<2>({0, -0.3}, {0, 1}), law, 3, true);
+  Couple couple(ring, "south", make_plane<2>({0, -0.3}, {0, 1}), adhesive(law), 3, true);
   couple.move_die(0.5, 0.05).evaluate();
   const double area = pi * (9 - 1);
   EXPECT_NEAR(couple.pair.resultant().force(1), traction(law, 0.35) * area,
@@ -66,7 +66,7 @@ TEST(Revolved, SphericalCapConvergesToItsExactForce) {
     constexpr int points = 9;
     const auto cap =
         discretize(nurbs::quarter_annulus(0.3, radius, Eigen::Vector2d(0, radius), 270), {elements, 1}, "N2", "south");
-    Couple couple(cap, "south", make_plane<2>({0, 0}, {0, 1}), PenaltyLaw{penalty}, points, true);
+    Couple couple(cap, "south", make_plane<2>({0, 0}, {0, 1}), InterfaceLaw{penalty}, points, true);
     couple.move_die(0, -depth).evaluate();
     const Resultant<2> sum = couple.pair.resultant();
     const double spacing = 0.5 * pi * radius / (elements * points), edge = radius * std::acos(1 - depth / radius);

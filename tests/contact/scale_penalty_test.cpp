@@ -41,7 +41,7 @@ TEST(ScalePenalty, ForcesFollowAndFrictionToo) {
 }
 
 TEST(ScalePenalty, DoesNotAffectAdhesion) {
-  Couple couple("N2", slab("N2"), Adhesion{0.02, 0.05}, 1.4, 1.02);
+  Couple couple("N2", slab("N2"), adhesive({0.02, 0.05}), 1.4, 1.02);
   couple.evaluate();
   const VectorX before = couple.dense().force;
   couple.pair.scale_penalty(7);

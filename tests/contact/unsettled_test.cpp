@@ -34,7 +34,7 @@ TEST(Unsettled, ProjectionReportsItsLimitOfIterations) {
 TEST(Unsettled, PairCountsAcceptedStatesOnly) {
   const nurbs::Discretization block =
       discretize(nurbs::rectangle(2, 1, Eigen::Vector2d(-1, 0.1)), {1, 1}, "N1", "south");
-  Pair<2> pair(Surface<2>(block, nurbs::side_of("south", 2)), Obstacle<2>(singular_line()), PenaltyLaw{1}, 1);
+  Pair<2> pair(Surface<2>(block, nurbs::side_of("south", 2)), Obstacle<2>(singular_line()), InterfaceLaw{1}, 1);
   const Vec<2> rest = Vec<2>::Zero();
   const auto evaluate = [&](double x) { // of the only contact point
     const MatrixX u = Eigen::Vector2d(x, 0).replicate(1, block.functions());
@@ -71,7 +71,7 @@ std::size_t unsettled_across(double length) {
   const nurbs::Discretization block =
       discretize(nurbs::block({0.2, 0.2, 0.2}, start - Vec<3>(0.1, 0.1, 0)), {1, 1, 1}, "N1", "front");
   Pair<3> pair(Surface<3>(block, nurbs::side_of("front", 3)), Obstacle<3>(roof()),
-               PenaltyLaw{1, tangential, tangential * length / depth}, 1);
+               InterfaceLaw{1, tangential, tangential * length / depth}, 1);
   const Vec<3> rest = Vec<3>::Zero();
   const auto press = [&](double x) {
     const MatrixX u = (place(x) - start).replicate(1, block.functions());

@@ -25,16 +25,11 @@ template <int D> void repeat_body(ArchiveReader from) {
   require_that(first.bytes() == second.bytes(), "a body is read as it was written");
 }
 
-template <int D> void read_method(ArchiveReader from) {
-  ArchiveWriter out;
-  out.put(contact::read_method<D>(from));
-}
-
 using Read = void (*)(ArchiveReader);
 constexpr Read reads[] = {
-    repeat<nurbs::KnotVector>,    repeat<nurbs::Patch>, repeat<nurbs::Space1D>, repeat<nurbs::Discretization>,
-    repeat<solid::Material>,      repeat_body<2>,       repeat_body<3>,         repeat<contact::Obstacle<2>>,
-    repeat<contact::Obstacle<3>>, read_method<2>,       read_method<3>};
+    repeat<nurbs::KnotVector>,    repeat<nurbs::Patch>,   repeat<nurbs::Space1D>, repeat<nurbs::Discretization>,
+    repeat<solid::Material>,      repeat_body<2>,         repeat_body<3>,         repeat<contact::Obstacle<2>>,
+    repeat<contact::Obstacle<3>>, repeat<contact::Method>};
 
 } // namespace
 

@@ -23,19 +23,19 @@ struct Strip {
   std::vector<contact::Controls> controls{1};
   VectorX u, base_u;
 
-  explicit Strip(const contact::Method<2>& law) : base_u(VectorX::Zero(2)) {
+  explicit Strip(const contact::Method& law) : base_u(VectorX::Zero(2)) {
     u = VectorX::Zero(2 * strip.functions());
     add(contact::Master<2>(contact::make_plane<2>({0, 0}, {0, 1})), law);
     touch(0);
   }
   /// Above a strip from 0 to `length`.
-  Strip(const contact::Method<2>& law, double length)
+  Strip(const contact::Method& law, double length)
       : base(discretize(nurbs::rectangle(length, 1, Eigen::Vector2d(0, -1)), {2, 1}, "N2", "north")) {
     u = VectorX::Zero(2 * strip.functions());
     base_u = VectorX::Zero(2 * base->functions());
     add(contact::Master<2>(contact::Surface<2>(*base, nurbs::side_of("north", 2))), law);
   }
-  void add(contact::Master<2> master, const contact::Method<2>& law) {
+  void add(contact::Master<2> master, const contact::Method& law) {
     contacts.push_back(contact::make_formulation<2>(
         law, {contact::Surface<2>(strip, nurbs::side_of("south", 2)), std::move(master), points_per_element}));
     accepted.emplace_back(contacts[0]->points());
@@ -83,7 +83,7 @@ struct Strip {
   bool holds() const { return !controls[0].fixed_states.empty(); }
 };
 
-const contact::PenaltyLaw law{100};
+const contact::InterfaceLaw law{100};
 
 TEST(ActiveSet, IsFrozenUntilTheEnergyHasDecreased) {
   Strip strip(law);
@@ -227,7 +227,7 @@ TEST(ActiveSet, ListsCyclingPointsByNumberOfChanges) {
 }
 
 TEST(ActiveSet, NamesAllStatesThatAlternateInACycle) {
-  Strip strip(contact::PenaltyLaw{100, 100, 0.1});
+  Strip strip(contact::InterfaceLaw{100, 100, 0.1});
   strip.accept(); // sets slip points to the present foot points
   ActiveSet<2> set;
   strip.begin(set, {});
@@ -341,7 +341,7 @@ TEST(ActiveSet, SeesTheClosedSetShrink) {
 }
 
 TEST(ActiveSet, IgnoresAdhesion) {
-  Strip strip(contact::Adhesion{0.02, 0.05});
+  Strip strip(contact::adhesive({0.02, 0.05}));
   ActiveSet<2> set;
   strip.begin(set, {0, 1});
   int adhesive = 0;

@@ -33,17 +33,17 @@ Bodies<2> bodies_of(const std::string& label) {
   return bodies;
 }
 
-Scene<2> scene_of(const std::string& label, const contact::Method<2>& method) {
+Scene<2> scene_of(const std::string& label, const contact::Method& method) {
   Scene<2> scene = ironing(label);
   scene.contacts[0].method = method;
   scene.contacts[0].points = 9;
   return scene;
 }
 
-const std::vector<contact::Method<2>> methods{
-    contact::PenaltyLaw{100, 100, 0.2}, contact::MortarLaw{{100, 100, 0.2}},
-    contact::MortarLaw{{0, 0, 0.2, TractionArea::reference, Enforcement::multipliers}},
-    contact::MortarLaw{{100, 100, 0.2}, MultiplierSpace::reduced}};
+const std::vector<contact::Method> methods{
+    contact::InterfaceLaw{100, 100, 0.2}, contact::Method{{100, 100, 0.2}, MultiplierSpace::equal},
+    contact::Method{{0, 0, 0.2, TractionArea::reference, Enforcement::multipliers}, MultiplierSpace::equal},
+    contact::Method{{100, 100, 0.2}, MultiplierSpace::reduced}};
 
 /// N2-N2.2 contains N2: the same state in more unknowns has the same contact at Gauss points, forces and energies.
 /// Mortar contact weighs gaps with other functions then.

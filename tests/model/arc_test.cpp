@@ -28,7 +28,7 @@ Scene<2> bar(const solid::Material& material) {
       {"walls", {face_points(scene, 0, "west"), face_points(scene, 0, "east")}, {Constraint::fixed, Constraint::free}},
       {"top", {face_points(scene, 0, "north")}, {Constraint::free, Constraint::driven}}};
   scene.obstacles = {contact::make_plane<2>({0, -contact::equilibrium_distance(film)}, {0, 1})};
-  scene.contacts = {{"film", {0, nurbs::side_of("south", 2)}, ObstacleReference{0}, film, 3}};
+  scene.contacts = {{"film", {0, nurbs::side_of("south", 2)}, ObstacleReference{0}, contact::adhesive(film), 3}};
   return scene;
 }
 

@@ -100,7 +100,7 @@ TEST(Assembly, TangentDoesNotDependOnEarlierContacts) {
   for (const char* label : {"N2", "N2-N2.2"}) {
     // Soft against slip, so that points stick to elements that are far behind.
     Scene<2> scene = ironing(label);
-    std::get<contact::PenaltyLaw>(scene.contacts[0].method).tangential = 1;
+    scene.contacts[0].method.law.tangential = 1;
     Bench bench(scene), fresh(scene);
     const int die = bench.unknowns.offset(1);
     VectorX u = VectorX::Zero(bench.unknowns.dofs());

@@ -170,7 +170,10 @@ TEST(Checkpoint, NamesThePartsOfAnotherScene) {
   };
   EXPECT_EQ(refused([](Scene<2>&) {}), "no error");
   holds(refused([](Scene<2>& s) { s.contacts[0].points = 5; }), "differences = (contact 'interface')");
-  holds(refused([](Scene<2>& s) { s.contacts[0].method = contact::PenaltyLaw{100, 100, 0.3}; }), "contact 'interface'");
+  holds(refused([](Scene<2>& s) {
+          s.contacts[0].method = contact::InterfaceLaw{100, 100, 0.3};
+        }),
+        "contact 'interface'");
   holds(refused([](Scene<2>& s) { s.supports[0].name = "base"; }), "differences = (support 'bed', support 'base')");
   holds(refused([](Scene<2>& s) {
           s.bodies[1].body =

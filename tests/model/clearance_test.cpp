@@ -12,7 +12,7 @@ using namespace test;
 void build(const contact::Obstacle<2>& obstacle, const std::string& face = "south") {
   Scene<2> scene = square({{"top", "north", {Constraint::fixed, Constraint::fixed}}});
   scene.obstacles = {obstacle};
-  scene.contacts = {{"floor", {0, nurbs::side_of(face, 2)}, ObstacleReference{0}, contact::PenaltyLaw{100}, 3}};
+  scene.contacts = {{"floor", {0, nurbs::side_of(face, 2)}, ObstacleReference{0}, contact::InterfaceLaw{100}, 3}};
   Model<2>{std::move(scene)};
 }
 
@@ -63,7 +63,7 @@ TEST(Clearance, DiscInAHoleIsFine) {
     scene.bodies.push_back({"shell", make_body(arc, {4, 1}, "N2", "north", solid::neo_hookean(1, 0.3))});
     scene.supports = {{"bed", {face_points(scene, 0, "south")}, {Constraint::fixed, Constraint::fixed}}};
     scene.obstacles = {contact::make_ball<2>(center, radius)};
-    scene.contacts = {{"roll", {0, nurbs::side_of("north", 2)}, ObstacleReference{0}, contact::PenaltyLaw{100}, 3}};
+    scene.contacts = {{"roll", {0, nurbs::side_of("north", 2)}, ObstacleReference{0}, contact::InterfaceLaw{100}, 3}};
     Model<2>{std::move(scene)};
   };
   shell({0, 0}, 0.6);

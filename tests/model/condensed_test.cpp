@@ -13,7 +13,7 @@ using namespace test;
 const solid::LinearElastic soft = solid::linear_elastic(1, 0.3);
 
 /// A half ring, driven at its inner arc, above a rigid plane that it touches.
-Scene<2> roller(const solid::Material& material, const contact::PenaltyLaw& law,
+Scene<2> roller(const solid::Material& material, const contact::InterfaceLaw& law,
                 const std::vector<int>& elements = {24, 3}) {
   Scene<2> scene;
   const nurbs::Patch arc = nurbs::half_annulus(0.3, 1, Eigen::Vector2d(0, 1));
@@ -30,7 +30,7 @@ Scene<2> linear_ironing(double mu) {
   for (auto& named : scene.bodies)
     named.body = std::make_shared<const solid::Body<2>>(named.body->shared_space(),
                                                         solid::linear_elastic(named.name == "die" ? 1000 : 1, 0.3));
-  scene.contacts[0].method = contact::PenaltyLaw{100, 100, mu};
+  scene.contacts[0].method = contact::InterfaceLaw{100, 100, mu};
   return scene;
 }
 
@@ -159,7 +159,7 @@ TEST(Condensed, BodySupportedByContactOnly) {
                             solid::linear_elastic(100, 0.3));
     block.obstacles = {contact::make_plane<2>({0, 0.001}, {0, 1})};
     block.contacts = {
-        {"floor", {0, nurbs::side_of("south", 2)}, ObstacleReference{0}, contact::PenaltyLaw{100, 100, mu}, 4}};
+        {"floor", {0, nurbs::side_of("south", 2)}, ObstacleReference{0}, contact::InterfaceLaw{100, 100, mu}, 4}};
     block.loads = {{"weight", {{0, nurbs::side_of("north", 2)}}, LoadKind::traction, {0, -0.1}}};
     return block;
   };

@@ -32,7 +32,7 @@ Scene<2> blocks() {
   scene.contacts.push_back({"touch",
                             {0, nurbs::side_of("south", 2)},
                             FaceReference{1, nurbs::side_of("north", 2)},
-                            contact::PenaltyLaw{10, 10, 0.2},
+                            contact::InterfaceLaw{10, 10, 0.2},
                             4});
   return scene;
 }

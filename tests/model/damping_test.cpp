@@ -99,7 +99,7 @@ Scene<3> block_above_plane(double gap) {
                     {"y", {face(south)}, {free_to_move, fixed, free_to_move}}};
   scene.loads = {{"weight", {{0, back}}, LoadKind::pressure, {0}}};
   scene.obstacles = {contact::make_plane<3>({0, 0, 0}, {0, 0, 1})};
-  scene.contacts = {{"floor", {0, front}, ObstacleReference{0}, contact::PenaltyLaw{50}, 3}};
+  scene.contacts = {{"floor", {0, front}, ObstacleReference{0}, contact::InterfaceLaw{50}, 3}};
   return scene;
 }
 
@@ -126,7 +126,7 @@ Scene<2> above_plane(double gap, const std::vector<Grip>& grips) {
     scene.supports.push_back({grip.name, {face_points(scene, 0, grip.face)}, grip.constraint});
   scene.loads = {{"weight", {{0, nurbs::side_of("north", 2)}}, LoadKind::pressure, {0}}};
   scene.obstacles = {contact::make_plane<2>({0, 0}, {0, 1})};
-  scene.contacts = {{"floor", {0, nurbs::side_of("south", 2)}, ObstacleReference{0}, contact::PenaltyLaw{50}, 4}};
+  scene.contacts = {{"floor", {0, nurbs::side_of("south", 2)}, ObstacleReference{0}, contact::InterfaceLaw{50}, 4}};
   return scene;
 }
 
@@ -212,7 +212,7 @@ TEST(Damping, ADiscReachesTheSameStateAsWithoutAGap) {
     result.loads = {
         {"weight", {{0, nurbs::side_of("west", 2)}, {0, nurbs::side_of("east", 2)}}, LoadKind::pressure, {0}}};
     result.obstacles = {contact::make_plane<2>({0, 0}, {0, 1})};
-    result.contacts = {{"floor", {0, nurbs::side_of("south", 2)}, ObstacleReference{0}, contact::PenaltyLaw{50}, 9}};
+    result.contacts = {{"floor", {0, nurbs::side_of("south", 2)}, ObstacleReference{0}, contact::InterfaceLaw{50}, 9}};
     return result;
   };
   expect_the_same_rest<2>(scene, 0.02, 0.1);
@@ -227,7 +227,7 @@ TEST(Damping, ABlockWithFrictionComesIntoContactFromAnyHeightUnderFullLoad) {
     for (double gap : {1e-6, 1e-3, 1e-2, 0.3})
       for (double load : {1e-3, 1e-2, 5e-2}) {
         Scene<2> scene = above_plane(gap, {});
-        scene.contacts[0].method = contact::PenaltyLaw{50, 50, mu};
+        scene.contacts[0].method = contact::InterfaceLaw{50, 50, mu};
         Model<2> model(scene);
         set_target(model, 0, 0, load);
         const solve::NewtonReport report = solve_step(model, damped());

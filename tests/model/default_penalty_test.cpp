@@ -14,12 +14,12 @@ namespace default_penalty_test {
 
 using namespace test;
 using contact::Enforcement;
-using contact::PenaltyLaw;
+using contact::InterfaceLaw;
 
 const nurbs::Side south = nurbs::side_of("south", 2), north = nurbs::side_of("north", 2);
 
 /// A stiff block, 4 elements along its south face of length 1, over a soft one with 8 elements.
-Scene<2> two_blocks(const contact::Method<2>& law, contact::Region<2> where = {}) {
+Scene<2> two_blocks(const contact::Method& law, contact::Region<2> where = {}) {
   Scene<2> scene;
   const auto block = [](double y) { return nurbs::rectangle(1, 1, Eigen::Vector2d(0, y)); };
   scene.bodies.push_back({"upper", make_body(block(0), {4, 2}, "N2", "south", solid::neo_hookean(20, 0.3))});
@@ -28,17 +28,17 @@ Scene<2> two_blocks(const contact::Method<2>& law, contact::Region<2> where = {}
   return scene;
 }
 
-PenaltyLaw default_law(Enforcement enforcement, double mu = 0) {
+InterfaceLaw default_law(Enforcement enforcement, double mu = 0) {
   return {.normal = 0, .friction = mu, .enforcement = enforcement};
 }
 
-contact::MortarLaw multipliers(double mu = 0) {
-  return {default_law(Enforcement::multipliers, mu)};
+contact::Method multipliers(double mu = 0) {
+  return {default_law(Enforcement::multipliers, mu), contact::MultiplierSpace::equal};
 }
 
-PenaltyLaw filled(Scene<2> scene) {
+InterfaceLaw filled(Scene<2> scene) {
   set_default_penalties(scene);
-  return *contact::penalty_law(scene.contacts[0].method);
+  return *penalty_law(scene.contacts[0]);
 }
 
 TEST(DefaultPenalty, IsAMultipleOfTheSofterModulusPerElement) {
@@ -60,19 +60,18 @@ TEST(DefaultPenalty, IsAMultipleOfTheSofterModulusPerElement) {
 
 TEST(DefaultPenalty, IsEqualForBothHalfPasses) {
   Scene<2> scene = two_blocks(default_law(Enforcement::penalty));
-  scene.contacts[0].method = contact::HalfPass{default_law(Enforcement::penalty), {}};
+  scene.contacts[0].method = contact::Method{default_law(Enforcement::penalty), {}, contact::Pass::half};
   scene.contacts.push_back(scene.contacts[0]);
   scene.contacts[1].slave = {1, north};
   scene.contacts[1].master = FaceReference{0, south};
   scene.contacts[0].other_pass = 1;
   scene.contacts[1].other_pass = 0;
   set_default_penalties(scene);
-  for (const Contact<2>& pass : scene.contacts)
-    EXPECT_NEAR(contact::penalty_law(pass.method)->normal, 30 * 3 * 4, 1e-10);
+  for (const Contact<2>& pass : scene.contacts) EXPECT_NEAR(penalty_law(pass)->normal, 30 * 3 * 4, 1e-10);
 }
 
 TEST(DefaultPenalty, DoesNotReplaceGivenParameters) {
-  PenaltyLaw law = default_law(Enforcement::penalty, 0.2);
+  InterfaceLaw law = default_law(Enforcement::penalty, 0.2);
   law.normal = 7;
   EXPECT_EQ(filled(two_blocks(law)).normal, 7);
   EXPECT_EQ(filled(two_blocks(law)).tangential, 7);
@@ -95,27 +94,28 @@ TEST(DefaultPenalty, CountsElementsOfAGradedMesh) {
 TEST(DefaultPenalty, FilesKeepTheEnforcementAndTheDefault) {
   const signorini::test::ScratchFolder folder;
   const auto region = [](const Vec<2>& X) { return X(0) < 0.4; };
-  for (const contact::Method<2>& method :
-       {contact::Method<2>(default_law(Enforcement::penalty, 0.1)), contact::Method<2>(multipliers(0.1))}) {
-    Scene<2> scene = two_blocks(PenaltyLaw{1}, region);
+  for (const contact::Method& method :
+       {contact::Method(default_law(Enforcement::penalty, 0.1)), contact::Method(multipliers(0.1))}) {
+    Scene<2> scene = two_blocks(InterfaceLaw{1}, region);
     scene.contacts[0].method = method;
     Model<2> model(std::move(scene));
     save(model, folder.file("a.sgn"));
     const auto loaded = std::get<std::shared_ptr<Model<2>>>(load(folder.file("a.sgn")));
-    const auto* law = contact::penalty_law(loaded->system.scene.contacts[0].method);
-    EXPECT_EQ(law->enforcement, contact::penalty_law(method)->enforcement);
+    const auto* law = penalty_law(loaded->system.scene.contacts[0]);
+    EXPECT_EQ(law->enforcement, method.law.enforcement);
     EXPECT_EQ(law->normal, model.system.contacts[0]->parameters().penalty(model.accepted.contacts[0].changes));
     EXPECT_TRUE(loaded->system.scene.contacts[0].default_penalty);
   }
-  auto other = std::make_shared<Model<2>>(two_blocks(PenaltyLaw{1}, region));
+  auto other = std::make_shared<Model<2>>(two_blocks(InterfaceLaw{1}, region));
   EXPECT_ERROR(restore(other, folder.file("a.sgn")), "contact 'joint'");
 }
 
 TEST(DefaultPenalty, CombinationsThatDoNotExistAreErrors) {
-  EXPECT_ERROR(Model<2>(two_blocks(PenaltyLaw{.normal = 1, .enforcement = Enforcement::multipliers})),
+  EXPECT_ERROR(Model<2>(two_blocks(InterfaceLaw{.normal = 1, .enforcement = Enforcement::multipliers})),
                "contact.enforcement.points");
-  Scene<2> scene = two_blocks(PenaltyLaw{1});
-  scene.contacts[0].method = contact::HalfPass{{.normal = 1, .enforcement = Enforcement::multipliers}};
+  Scene<2> scene = two_blocks(InterfaceLaw{1});
+  scene.contacts[0].method =
+      contact::Method{{.normal = 1, .enforcement = Enforcement::multipliers}, {}, contact::Pass::half};
   EXPECT_ERROR(Model<2>(std::move(scene)), "contact.enforcement.half_passes");
 }
 

@@ -230,7 +230,7 @@ TEST(Diagnosis, CyclingPointsAreNamed) {
   Scene<2> scene = ironing("N4");
   const nurbs::Patch arc = nurbs::half_annulus(0.3, 0.5, Eigen::Vector2d(0.75, 1.5));
   scene.bodies[0].body = make_body(arc, {6, 2}, "N4", "south", solid::neo_hookean(1e4, 0.3));
-  scene.contacts[0].method = contact::PenaltyLaw{1000, 100, 0.1};
+  scene.contacts[0].method = contact::InterfaceLaw{1000, 100, 0.1};
   scene.contacts[0].points = 7;
   Model<2> model(std::move(scene));
   solve::NewtonReport report;
@@ -289,7 +289,7 @@ TEST(Diagnosis, PointsThatLeaveTheMasterAreNamed) {
   scene.contacts = {{"edge",
                      {0, nurbs::side_of("south", 2)},
                      FaceReference{1, nurbs::side_of("north", 2)},
-                     contact::PenaltyLaw{10},
+                     contact::InterfaceLaw{10},
                      3}};
   Model<2> model(std::move(scene));
   set_target(model, 0, 0, -0.0625);

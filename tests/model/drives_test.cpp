@@ -29,7 +29,7 @@ Scene<2> busy(std::array<Constraint, 2> constraint = {Constraint::driven, Constr
   scene.loads = {{"push", {{0, nurbs::side_of("west", 2)}}, LoadKind::traction, {0.25, -0.5}},
                  {"gas", {{0, nurbs::side_of("north", 2)}, {0, nurbs::side_of("east", 2)}}, LoadKind::pressure, {3}}};
   scene.contacts = {
-      {"rub", {0, nurbs::side_of("north", 2)}, ObstacleReference{0}, contact::PenaltyLaw{50, 50, 0.3}, 4}};
+      {"rub", {0, nurbs::side_of("north", 2)}, ObstacleReference{0}, contact::InterfaceLaw{50, 50, 0.3}, 4}};
   return scene;
 }
 

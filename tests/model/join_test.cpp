@@ -11,7 +11,7 @@ namespace join_test {
 using namespace test;
 
 /// A block above the seam of two joined blocks, of which the right one has reversed directions.
-Scene<2> across_a_seam(bool list_is_slave, const contact::Method<2>& method) {
+Scene<2> across_a_seam(bool list_is_slave, const contact::Method& method) {
   const nurbs::Side east{0, true}, south{1, false}, north{1, true};
   Scene<2> scene;
   const auto add = [&](const char* name, const nurbs::Patch& patch, std::vector<int> elements, const char* face) {
@@ -47,9 +47,9 @@ Scene<3> across_a_seam_in_space(bool list_is_slave) {
                      {Constraint::driven, Constraint::driven, Constraint::driven}}};
   scene.joins = {{"seam", {0, east}, {1, east}}};
   const Faces list{{1, back}, {0, back}}, block{2, front};
-  const contact::PenaltyLaw law{20, 20, 0.3};
+  const contact::InterfaceLaw law{20, 20, 0.3};
   scene.contacts.push_back(
-      {"touch", list_is_slave ? list : block, list_is_slave ? block : list, contact::Method<3>(law), 3});
+      {"touch", list_is_slave ? list : block, list_is_slave ? block : list, contact::Method(law), 3});
   return scene;
 }
 
@@ -75,9 +75,9 @@ TEST(Joins, TangentOfContactWithAListOfFacesInSpace) {
 TEST(Joins, TangentOfContactWithAListOfFaces) {
   nurbs::test::Random random(7);
   for (const bool list_is_slave : {false, true})
-    for (const contact::Method<2>& method :
-         {contact::Method<2>(contact::PenaltyLaw{20, 20, 0.3}),
-          contact::Method<2>(contact::MortarLaw{contact::PenaltyLaw{20, 20, 0.3, contact::TractionArea::reference}})}) {
+    for (const contact::Method& method :
+         {contact::Method(contact::InterfaceLaw{20, 20, 0.3}),
+          contact::Method({20, 20, 0.3, contact::TractionArea::reference}, contact::MultiplierSpace::equal)}) {
       Bench bench(across_a_seam(list_is_slave, method));
       EXPECT_EQ(bench.unknowns.dofs() - bench.unknowns.size(), 2 * (3 + 5)); // three shared points, five driven ones
       int compared = 0;

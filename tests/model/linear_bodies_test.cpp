@@ -23,7 +23,7 @@ Scene<2> pressed_block(solid::Kind kind, solid::Volumetric volumetric = solid::V
       {"block", std::make_shared<const solid::Body<2>>(shape->shared_space(), soft, kind, volumetric)});
   scene.supports.push_back({"grip", {face_points(scene, 0, "north")}, {Constraint::driven, Constraint::driven}});
   scene.obstacles = {contact::make_plane<2>({0, 0}, {0, 1})};
-  scene.contacts = {{"floor", {0, nurbs::side_of("south", 2)}, ObstacleReference{0}, contact::PenaltyLaw{20}, 9}};
+  scene.contacts = {{"floor", {0, nurbs::side_of("south", 2)}, ObstacleReference{0}, contact::InterfaceLaw{20}, 9}};
   return scene;
 }
 
@@ -54,7 +54,7 @@ Scene<2> joined_blocks() {
   scene.contacts.push_back({"touch",
                             {2, nurbs::Side{1, false}},
                             Faces{{0, nurbs::Side{1, true}}, {1, nurbs::Side{1, true}}},
-                            contact::PenaltyLaw{20, 20, 0.3},
+                            contact::InterfaceLaw{20, 20, 0.3},
                             5});
   return scene;
 }

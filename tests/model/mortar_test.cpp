@@ -13,14 +13,14 @@ namespace signorini::model {
 namespace mortar_test {
 
 using namespace test;
-using contact::MortarLaw;
+using contact::Method;
 using contact::MultiplierSpace;
 
 constexpr MultiplierSpace spaces[] = {MultiplierSpace::equal, MultiplierSpace::reduced};
 
-Scene<2> mortar_ironing(const std::string& label, MultiplierSpace space, const contact::PenaltyLaw& law) {
+Scene<2> mortar_ironing(const std::string& label, MultiplierSpace space, const contact::InterfaceLaw& law) {
   Scene<2> scene = ironing(label);
-  scene.contacts[0].method = MortarLaw{law, space};
+  scene.contacts[0].method = Method{law, space};
   return scene;
 }
 
@@ -65,7 +65,7 @@ TEST(MortarModel, PressingAndIroningConverge) {
 const solid::NeoHookean material = solid::neo_hookean(2, 0.3);
 
 /// A block between walls that is pressed onto a plane, with free sides if `spreads`.
-Scene<2> pressed_block(const contact::Method<2>& method, bool spreads = false) {
+Scene<2> pressed_block(const Method& method, bool spreads = false) {
   std::vector<Grip> grips{{"walls", "west", {Constraint::fixed, Constraint::free}},
                           {"top", "north", {Constraint::free, Constraint::driven}}};
   if (!spreads) grips.push_back({"far", "east", {Constraint::fixed, Constraint::free}});
@@ -78,7 +78,7 @@ Scene<2> pressed_block(const contact::Method<2>& method, bool spreads = false) {
 /// Tractions per reference area have a potential: what is missing from the energy balance is the error of the
 /// trapezoidal rule, of second order in the step, also where the face stretches. Per current area 1 % is missing.
 TEST(MortarModel, EnergyBalancesInTheLimitOfSmallSteps) {
-  const auto missing = [](const contact::Method<2>& method, int steps) {
+  const auto missing = [](const Method& method, int steps) {
     Model<2> model(pressed_block(method, true));
     for (int step = 1; step <= steps; ++step) {
       set_target(model, 0, 0, -0.3 * step / steps);
@@ -90,17 +90,17 @@ TEST(MortarModel, EnergyBalancesInTheLimitOfSmallSteps) {
     return (energy.stored + energy.contact + energy.friction - energy.work) / energy.work;
   };
   for (const MultiplierSpace space : spaces) {
-    const double coarse = missing(MortarLaw{{4}, space}, 20), fine = missing(MortarLaw{{4}, space}, 40);
+    const double coarse = missing(Method{{4}, space}, 20), fine = missing(Method{{4}, space}, 40);
     EXPECT_LT(std::abs(fine), 5e-5);
     EXPECT_NEAR(coarse / fine, 4, 0.1);
   }
-  EXPECT_GT(std::abs(missing(contact::PenaltyLaw{4}, 40)), 5e-3);
+  EXPECT_GT(std::abs(missing(contact::InterfaceLaw{4}, 40)), 5e-3);
 }
 
 /// Per current area the springs' energy grows with the area, which no force does; a half pass counts half of both.
 TEST(MortarModel, EnergyOfAHalfPassBalancesWithTheGrowthOfItsArea) {
   const auto missing = [](MultiplierSpace space, int steps, double growth_counts) {
-    Model<2> model(pressed_block(contact::HalfPass{{4}, space}, true));
+    Model<2> model(pressed_block(Method{{4}, space, contact::Pass::half}, true));
     for (int step = 1; step <= steps; ++step) {
       set_target(model, 0, 0, -0.3 * step / steps);
       EXPECT_EQ(solve_step(model, {}).outcome, solve::Outcome::converged);

@@ -22,7 +22,8 @@ Scene<2> indented(bool disc_moves, double mu) {
   const Constraint bottom = disc_moves ? still : moved, disc = disc_moves ? moved : still;
   scene.supports = {{"bed", {face_points(scene, 0, "south")}, {bottom, bottom}}, {"roll", {}, {disc, disc}, {0}}};
   scene.obstacles = {contact::make_ball<2>({0, 0.4}, 0.4)};
-  scene.contacts = {{"rub", {0, nurbs::side_of("north", 2)}, ObstacleReference{0}, contact::PenaltyLaw{50, 50, mu}, 9}};
+  scene.contacts = {
+      {"rub", {0, nurbs::side_of("north", 2)}, ObstacleReference{0}, contact::InterfaceLaw{50, 50, mu}, 9}};
   return scene;
 }
 
@@ -61,7 +62,8 @@ TEST(Obstacle, BlockBetweenWallsOnAPlaneIsUniform) {
                            {"top", "north", {Constraint::free, Constraint::driven}}},
                           material);
   scene.obstacles = {contact::make_plane<2>({0, 0}, {0, 1})};
-  scene.contacts = {{"floor", {0, nurbs::side_of("south", 2)}, ObstacleReference{0}, contact::PenaltyLaw{penalty}, 4}};
+  scene.contacts = {
+      {"floor", {0, nurbs::side_of("south", 2)}, ObstacleReference{0}, contact::InterfaceLaw{penalty}, 4}};
   Model<2> model(std::move(scene));
   set_target(model, 0, 0, -depth);
   ASSERT_EQ(solve_step(model, {}).outcome, solve::Outcome::converged);
@@ -87,7 +89,8 @@ TEST(Obstacle, AxisymmetricCylinderOnAPlane) {
       {"axis", {face_points(scene, 0, "west"), face_points(scene, 0, "east")}, {Constraint::fixed, Constraint::free}},
       {"top", {face_points(scene, 0, "north")}, {Constraint::free, Constraint::driven}}};
   scene.obstacles = {contact::make_plane<2>({0, 0}, {0, 1})};
-  scene.contacts = {{"floor", {0, nurbs::side_of("south", 2)}, ObstacleReference{0}, contact::PenaltyLaw{penalty}, 4}};
+  scene.contacts = {
+      {"floor", {0, nurbs::side_of("south", 2)}, ObstacleReference{0}, contact::InterfaceLaw{penalty}, 4}};
   Model<2> model(std::move(scene));
   set_target(model, 0, 0, -depth);
   ASSERT_EQ(solve_step(model, {}).outcome, solve::Outcome::converged);

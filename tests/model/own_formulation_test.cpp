@@ -135,11 +135,8 @@ Scene<2> blocks(const solid::Material& material, double width) {
       {"floor", {face_points(scene, 0, "south")}, {Constraint::free, Constraint::fixed}},
       {"lid", {face_points(scene, 1, "north")}, {Constraint::free, Constraint::driven}},
       {"left", {face_points(scene, 0, "west"), face_points(scene, 1, "west")}, {Constraint::fixed, Constraint::free}}};
-  scene.contacts = {{"between",
-                     {1, nurbs::side_of("south", 2)},
-                     FaceReference{0, nurbs::side_of("north", 2)},
-                     element_pressures(),
-                     4}};
+  scene.contacts = {{"between", {1, nurbs::side_of("south", 2)}, FaceReference{0, nurbs::side_of("north", 2)}, {}, 4}};
+  scene.contacts[0].own = element_pressures();
   return scene;
 }
 

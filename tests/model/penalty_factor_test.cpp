@@ -17,7 +17,8 @@ Scene<2> pressed_block(double penalty) {
                            {"top", "north", {Constraint::free, Constraint::driven}}},
                           material);
   scene.obstacles = {contact::make_plane<2>({0, 0}, {0, 1})};
-  scene.contacts = {{"floor", {0, nurbs::side_of("south", 2)}, ObstacleReference{0}, contact::PenaltyLaw{penalty}, 4}};
+  scene.contacts = {
+      {"floor", {0, nurbs::side_of("south", 2)}, ObstacleReference{0}, contact::InterfaceLaw{penalty}, 4}};
   return scene;
 }
 

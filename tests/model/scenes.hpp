@@ -45,7 +45,7 @@ inline Scene<2> ironing(const std::string& label) {
   const nurbs::Side south = nurbs::side_of("south", 2), north = nurbs::side_of("north", 2);
   const int degree = scene.bodies[0].body->space().face(south).direction(0).degree();
   scene.contacts.push_back(
-      {"interface", {0, south}, FaceReference{1, north}, contact::PenaltyLaw{100, 100, 0.2}, 3 * (degree + 1)});
+      {"interface", {0, south}, FaceReference{1, north}, contact::InterfaceLaw{100, 100, 0.2}, 3 * (degree + 1)});
   return scene;
 }
 

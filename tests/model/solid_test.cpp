@@ -50,7 +50,7 @@ Scene<3> indentation(const std::string& label, double mu, bool turns) {
   grip.center = {1.1, 1, 1.8};
   grip.axis = {0, 0, 1};
   scene.supports.push_back(grip);
-  scene.contacts.push_back({"interface", {0, front}, FaceReference{1, back}, contact::PenaltyLaw{50, 50, mu}, 6});
+  scene.contacts.push_back({"interface", {0, front}, FaceReference{1, back}, contact::InterfaceLaw{50, 50, mu}, 6});
   return scene;
 }
 
@@ -119,9 +119,8 @@ TEST(SolidModel, TwistingNeedsAMoment) {
 }
 
 TEST(SolidModel, ResultsAreBitwiseIndependentOfThreads) {
-  const contact::PenaltyLaw law{50, 50, 0.3};
-  for (const contact::Method<3>& method :
-       {contact::Method<3>(law), contact::Method<3>(contact::MortarLaw{law, contact::MultiplierSpace::equal})}) {
+  const contact::InterfaceLaw law{50, 50, 0.3};
+  for (const contact::Method& method : {contact::Method(law), contact::Method(law, contact::MultiplierSpace::equal)}) {
     std::vector<VectorX> results;
     for (int threads : {1, 2, 3}) {
       set_worker_threads(threads);
@@ -149,7 +148,7 @@ TEST(SolidModel, APoleRemainsOnePoint) {
   scene.supports.push_back(
       {"equator", {face_points(scene, 0, south)}, {Constraint::free, Constraint::free, Constraint::driven}});
   scene.obstacles.push_back(contact::make_plane<3>({0, 0, -1}, {0, 0, 1}));
-  scene.contacts.push_back({"plane", {0, front}, ObstacleReference{0}, contact::PenaltyLaw{100}, 4});
+  scene.contacts.push_back({"plane", {0, front}, ObstacleReference{0}, contact::InterfaceLaw{100}, 4});
   Model<3> model(std::move(scene));
   const auto groups = nurbs::coincident_functions(model.system.scene.bodies[0].body->space());
   ASSERT_FALSE(groups.empty());

@@ -167,7 +167,7 @@ TEST(Ties, FacesThatDoNotFitAreErrors) {
                }),
                "model.tie.twice");
   EXPECT_ERROR(error_with([](auto& s) {
-                 s.contacts = {{"touch", s.ties[0].master, s.ties[0].slave, contact::PenaltyLaw{1}, 3}};
+                 s.contacts = {{"touch", s.ties[0].master, s.ties[0].slave, contact::InterfaceLaw{1}, 3}};
                }),
                "model.tie.in_contact");
   EXPECT_ERROR(error_with([](auto& s) {

@@ -16,7 +16,7 @@ namespace turning_test {
 
 using namespace test;
 using contact::Enforcement;
-using contact::MortarLaw;
+using contact::Method;
 using contact::MultiplierSpace;
 using nurbs::test::Random;
 using nurbs::test::uniform;
@@ -42,7 +42,7 @@ template <int D> std::shared_ptr<const solid::Body<D>> block() {
 }
 
 /// A clamped block under a tool that turns about a point next to its center and is free to move downwards.
-template <int D> Scene<D> pressed(const contact::Obstacle<D>& tool, const contact::Method<D>& method, bool free_angle) {
+template <int D> Scene<D> pressed(const contact::Obstacle<D>& tool, const Method& method, bool free_angle) {
   Scene<D> scene;
   scene.bodies.push_back({"block", block<D>()});
   const nurbs::Side bottom{D - 1, false}, top{D - 1, true};
@@ -129,14 +129,13 @@ template <int D> bool tangent_holds(Model<D>& model, const VectorX& u) {
   return true;
 }
 
-template <int D> std::vector<contact::Method<D>> methods() {
-  std::vector<contact::Method<D>> all;
+template <int D> std::vector<Method> methods() {
+  std::vector<Method> all;
   for (double mu : {0.0, 0.4}) {
-    const contact::PenaltyLaw law{20, 20, mu};
-    contact::PenaltyLaw multipliers = law;
+    const contact::InterfaceLaw law{20, 20, mu};
+    contact::InterfaceLaw multipliers = law;
     multipliers.enforcement = Enforcement::multipliers;
-    all.insert(all.end(),
-               {law, MortarLaw{law, MultiplierSpace::equal}, MortarLaw{multipliers, MultiplierSpace::equal}});
+    all.insert(all.end(), {law, Method{law, MultiplierSpace::equal}, Method{multipliers, MultiplierSpace::equal}});
   }
   return all;
 }
@@ -153,7 +152,7 @@ template <int D> void expect_tangents(int least) {
   Random random(1);
   int compared = 0, touching = 0, slipping = 0;
   for (const contact::Obstacle<D>& tool : tools<D>())
-    for (const contact::Method<D>& method : methods<D>()) {
+    for (const Method& method : methods<D>()) {
       Model<D> model(pressed<D>(tool, method, true));
       for (double angle : {0.0, std::holds_alternative<contact::Ball<D>>(tool) ? 7.0 : 0.2}) {
         const VectorX u = state(model, angle, 0.12, 0.004, random);
@@ -178,7 +177,7 @@ TEST(Turning, TangentOfFreeTranslationAndAngleIn3D) {
 /// The tangent times the rate of a driven angle is the derivative of the residual.
 template <int D> void expect_product(const contact::Obstacle<D>& tool) {
   Random random(2);
-  for (const contact::Method<D>& method : methods<D>()) {
+  for (const Method& method : methods<D>()) {
     Model<D> model(pressed<D>(tool, method, false));
     const VectorX u = state(model, 0.3, 0.12, 0.004, random), targets = model.targets;
     const VectorX along = VectorX::Unit(targets.size(), D - 1) * 40;

@@ -55,7 +55,7 @@ Scene<3> pressed(const contact::Obstacle<3>& obstacle) {
   scene.supports.push_back(
       {"near", {face_points(scene, south)}, {Constraint::free, Constraint::fixed, Constraint::free}});
   scene.supports.push_back({"tool", {}, {Constraint::fixed, Constraint::fixed, Constraint::driven}, {0}});
-  scene.contacts.push_back({"touch", {0, back}, ObstacleReference{0}, contact::PenaltyLaw{50, 0, 0}, 5});
+  scene.contacts.push_back({"touch", {0, back}, ObstacleReference{0}, contact::InterfaceLaw{50, 0, 0}, 5});
   return scene;
 }
 

@@ -156,7 +156,7 @@ local function has_history(scene)
   local stages = lists.joined(scene.list, table.unpack(lists.map(scene.before, function(before) return before[1] end)))
   return lists.any(scene.model:contact_names(), function(name)
     local law = scene.model:contact_law(name)
-    return law.mu or law.strength or lists.any(stages, function(stage)
+    return law.friction_penalty or law.strength or lists.any(stages, function(stage)
       return stage.contacts and stage.contacts[name] and stage.contacts[name].friction
     end)
   end)

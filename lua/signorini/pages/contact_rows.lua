@@ -10,6 +10,25 @@ local function conflict_of_change(_, given)
     or nil
 end
 
+local static = t.named {
+  { "static", t.positive, "coefficient where a point begins to slip" },
+  { "kinetic", t.non_negative, "that of a point that has slipped far" },
+  { "over", t.positive, "slip over which it falls by 1/e of the difference", unit = "length" },
+  conflict = function(values)
+    return values.static < values.kinetic
+      and ("static = %g is less than kinetic = %g: exchange the two"):format(values.static, values.kinetic) or nil
+  end,
+}
+
+--- The coefficient of friction of a contact in sg.model.
+rows.coefficient = { "mu", t.either(t.non_negative, t.callback, static), [[Coulomb's coefficient of friction, tan of the
+angle of friction, not the angle; 0 for a contact whose friction begins in a later stage. function(p, v, slip, X, Y, Z)
+(those that it needs) that returns a formula, help "formulas", of the pressure p (force per area), the slip rate v
+(length per time; stages then need a duration), the slip since the touch, and the reference position X, Y, Z of the
+slave point. { static, kinetic, over }: kinetic + (static - kinetic) exp(-s / over), s the slip since the point last
+stuck for a whole step. Where mu falls faster with the slip of a step than friction.penalty can follow, friction jumps,
+with a warning]] }
+
 --- The constants of a contact that a load path changes.
 rows.change = {
   { "active", t.flag, "whether the contact acts. One that does not has no pressure, friction or history",

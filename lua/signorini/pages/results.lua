@@ -42,20 +42,20 @@ end
 return {
   title = "Results of a model", word = "results",
   { "model:profile", [[Returns lists along the slave face, one entry per contact point: x, y (current), X, Y
-(reference), area (current, on which the traction acts; 0 at an open point; with adhesion the reference area, of bonds
-also where they are open), inside (1 in the contact area, see model:contact_resultant, otherwise 0), pressure, traction
-(of friction, along the chord from slip point to foot point, which is tangential on a straight master; in the plane
-positive along the slave face's xi; on the slave it acts in the opposite direction), gap (beyond an open end of the
-master the distance), state ("open", "stick", also of a closed point without friction, "slip", "adhesion", "bonded": not
-closed, held by a bond). At a slipping point |traction| = mu pressure (mortar: at each multiplier). A cohesive contact
-also has damage, from 0 to 1 (no bond); its pressure, negative in tension, and traction include those of the bonds.
-Pressure and traction are forces per current area, whatever `per` of the contact is; with method = "mortar" and with
-adhesion `area`, pressure and traction refer to the reference area.
-In 3D also z, Z, and tx, ty, tz, the components of the friction traction t_T, whose magnitude is `traction`; -t_T acts
-on the slave. Reading any other field is an error.]],
+(reference), area (current, on which the traction acts; 0 at an open point, but for adhesion and bonds), inside (1 in
+the contact area, see model:contact_resultant, otherwise 0), pressure, traction (of friction, along the chord from slip
+point to foot point, which is tangential on a straight master; in the plane positive along the slave face's xi; on the
+slave it acts in the opposite direction), gap (beyond an open end of the master the distance), state ("open", "stick",
+also of a closed point without friction, "slip", "adhesion", "bonded": not closed, held by a bond). At a slipping point
+|traction| = mu pressure (mortar: at each multiplier). A cohesive contact also has damage, from 0 to 1 (no bond); its
+pressure, negative in tension, and traction include those of the bonds. Pressure and traction are forces per current
+area, whatever `per` of the contact is; with method = "mortar" `area`, pressure and traction refer to the reference
+area. Where friction is a formula at contact points also mu, the coefficient where the point slips or would begin to,
+and slip, since the touch. In 3D also z, Z, and tx, ty, tz, the components of the friction traction t_T, whose
+magnitude is `traction`; -t_T acts on the slave. Reading any other field is an error.]],
     arguments = { a_contact },
     returns = t.record("x y X Y area inside pressure traction gap", t.numbers(), "state", t.list(t.text),
-      "z? Z? tx? ty? tz?", t.numbers(), "damage?", t.numbers()),
+      "z? Z? tx? ty? tz?", t.numbers(), "damage? mu? slip?", t.numbers()),
     example = "model:profile(\"interface\").pressure" },
   { "model:sample", "Returns a field's value at a parametric point of a body.",
     arguments = {
@@ -89,18 +89,20 @@ as far as its support frees them, and its angle if that is free. Empty for other
     returns = t.table(), example = "model:free_motion(\"grip\")" },
   { "model:contact_law", [[Returns the constants of a contact: { method, enforcement, per, points, penalty,
 default_penalty, active, offset }, as given to sg.model or by default, in the present state; default_penalty is true
-where the penalty is from material and mesh. With friction also mu, friction_penalty; with overlap = "interference"
-overlap, the fraction of the initial overlap that is still allowed; with method = "mortar" multipliers; of a cohesive
-contact strength, energy, law, stiffness, and bonded, the number of points with a bond; with adhesion { method, per,
-points, active, hamaker, r0 }. print(model) shows them.]],
+where the penalty is from material and mesh. With friction also mu, friction_penalty, with a formula of it mu_formula,
+its text, and of_rate, whether it depends on v, in place of mu; with overlap = "interference" overlap, the fraction of
+the initial overlap that is still allowed; with method = "mortar" multipliers; of a cohesive contact strength, energy,
+law, stiffness, and bonded, the number of points with a bond; with adhesion { method, per, points, active, hamaker, r0
+}. print(model) shows them.]],
     arguments = { a_contact },
-    returns = t.record("method per", t.text, "enforcement? multipliers? law?", t.text, "points bonded?", t.count,
+    returns = t.record("method per", t.text, "enforcement? multipliers? law? mu_formula?", t.text,
+      "points bonded?", t.count,
       "penalty? mu? friction_penalty? hamaker? r0? strength? energy? stiffness? offset? overlap?", t.number,
-      "active default_penalty?", t.flag),
+      "active default_penalty? of_rate?", t.flag),
     example = "model:contact_law(\"interface\").penalty" },
   { "model:contact_resultant", [[Returns { fx, fy, fz, area, max_pressure, mean_pressure, max_penetration, active,
 slipping, per, unsettled, crossed }: the force on the slave (fz in 3D); the current area in contact (with method =
-"mortar" and with adhesion the reference area), which is that inside gap = 0, linear between contact points; extremes;
+"mortar" the reference area), which is that inside gap = 0, linear between contact points; extremes;
 the largest mean pressure over a slave element (where elements or a high penalty do not resolve the peak, it is closer
 to the peak than max_pressure); the numbers of contact points that touch and slip; and per, "current" or "reference",
 the area on which tractions act; of mortar contact with a penalty also weighted_penetration, the largest of its
@@ -108,12 +110,14 @@ multipliers; of a cohesive contact debonded, the area of new surface: energy dis
 separation; with "half_passes" also imbalance, |f + f2| / max(|f|, |f2|) with the force f2 of the other pass: by how
 much action and reaction differ, 0 without forces. unsettled: how often, in all accepted states so far, the search for a
 closest point or slip point ended at the limit of iterations; unsettled_at is the reference position of the latest such
-point. crossed: how many points have passed through the master without contact since the accepted state, 0 in accepted
+point. With a formula of friction flawed: how often it was negative at a point, or fell faster with the slip than the
+tangential penalty can follow; flaw, "negative" or "jumps", and flawed_at tell the latest. crossed: how many points have
+passed through the master without contact since the accepted state, 0 in accepted
 states; crossed_at is the reference position of the last of them.]],
     arguments = { a_contact },
     returns = t.record("fx fy", t.number, "fz?", t.number, "area max_pressure mean_pressure max_penetration", t.number,
       "weighted_penetration? imbalance? debonded?", t.number, "active slipping unsettled crossed", t.integer(0),
-      "per", t.text, "unsettled_at? crossed_at?", t.point),
+      "flawed?", t.integer(0), "per", t.text, "flaw?", t.text, "unsettled_at? crossed_at? flawed_at?", t.point),
     example = "model:contact_resultant(\"interface\").area" },
   { "model:tie_profile", [[Returns lists along the slave face of a tie, one entry per quadrature point opposite the
 master: x, y (current), X, Y (reference), area (reference area with the point's weight), tx, ty (traction of the master

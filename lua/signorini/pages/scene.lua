@@ -41,8 +41,7 @@ penalty decreases: model:contact_resultant(name).max_penetration. With enforceme
 results by the discretization error alone; it is then 10 E / h by default, h of the softer body]],
     unit = "pressure per length", otherwise = "from material and mesh" },
   { "friction", t.named {
-    { "mu", t.non_negative, [[Coulomb's coefficient of friction, tan of the angle of friction, not the angle; 0 for a
-contact whose friction begins in a later stage]] },
+    rows.coefficient,
     { "penalty", t.positive, "tangential penalty, stiffness of elastic slip", unit = "pressure per length",
       otherwise = "that of the contact" },
   }, "Coulomb friction", otherwise = "none" },

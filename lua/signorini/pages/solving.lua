@@ -94,6 +94,8 @@ Keller, in Applications of Bifurcation Theory, Academic Press, 1977.]],
     named = {
       { "name", t.text, "name in reports and on_step", otherwise = '"stage 1" and so on' },
       { "steps", t.count, "number of steps" },
+      { "duration", t.positive, [[length of the stage in time, in equal parts over its steps. Friction that
+depends on the slip rate needs it; nothing else depends on time]], unit = "time", optional = true },
       { "contacts", t.map(t.named(contact_change)), [[constants of contacts that change, by
 name: { active, penalty, friction, offset }. They act in full from the first step of the stage, except for offset, which
 changes linearly over the stage; all hold until another stage changes them, also in further runs]], optional = true },

@@ -106,14 +106,15 @@ local flag_or_number = types.either(types.flag, number)
 local stage = record("name", types.text, "steps iterations cutbacks", count, "wall", number)
 local attempt = record("from to", number, "converged", types.flag, "reason", types.text, "iterations", count,
   "residuals", list_of(number), "fallback?", types.text)
-local shape = types.tuple({ record("path", list_of(record("name", types.text, "steps", count, "targets", data)),
+local shape = types.tuple({ record("path", list_of(record("name", types.text, "steps", count,
+    "duration?", number, "targets", data)),
   "place", record("stage number", count), "starts fits", types.map(data), "memory", types.map(flag_or_number),
   "names", list_of(types.text), "spent", types.map(number), "format?", count, "record", record(
     "rows steps iterations cutbacks fallback_steps wary", count, "wall", number, "stages", list_of(stage),
     "energies", list_of(types.map(flag_or_number)),
     "jumps", record("energy?", types.map(number), "found", list_of(data), "steps", list_of(types.map(number))),
     "unstable_law", types.either(types.flag, data), "used?", data, "warnings", list_of(types.text),
-    "adaptations", list_of(data), "contact_zones controls fallbacks overlaps places unsettled", data,
+    "adaptations", list_of(data), "contact_zones controls fallbacks overlaps places unsettled flawed", data,
     "state_findings?", list_of(record("subject place text", types.text, "from to", count)))),
   list_of(data), list_of(list_of(attempt)), data }, 3)
 

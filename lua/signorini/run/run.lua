@@ -57,6 +57,7 @@ local function begin_stage(model, stage)
   for name in pairs(stage.targets) do
     starts[name], stage.now[name] = starts[name] or model:target(name), {}
   end
+  if stage.duration then starts[stages.clock] = starts[stages.clock] or { model:time() } end
 end
 
 --- Records why a step failed; searches for a turning point, by arc length, unless the reason is known.

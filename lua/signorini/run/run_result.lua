@@ -13,6 +13,7 @@ local lists = require "signorini.call.lists"
 local format_table = require("signorini.output.table").text
 local named = require "signorini.call.named"
 local no_column = require("signorini.call.text").no_column
+local recorders = require "signorini.run.recorders"
 local run_warnings = require "signorini.run.run_warnings"
 local stages = require "signorini.run.stages"
 local states = require "signorini.run.states"
@@ -35,75 +36,13 @@ function Run:__newindex(name, value)
   rawset(self, name, value)
 end
 
-local axes = { "x", "y", "z" }
-local contact_columns = { "fx", "fy", "fz", "area", "max_pressure", "max_penetration", "debonded" }
-
 -- ── Recording (by model:run) ─────────────────────────────────────────────────────────────────────────────────────────
-
---- Registers a column and returns its list of values.
-local function add_column(run, name)
-  local values = {}
-  run.names[#run.names + 1], run.values[name] = name, values
-  return values
-end
-
-local function add_columns(run, name, keys)
-  return lists.map(keys, function(key) return add_column(run, name .. "." .. key) end)
-end
-
-local function record_list(run, columns, read)
-  run.recorders[#run.recorders + 1] = function(row)
-    local list = read()
-    for i, values in ipairs(columns) do values[row] = list[i] end
-  end
-end
-
---- The force of a support or a load, with the moment last where it rotates.
-local function record_force(run, model, name)
-  local driven, keys = model:driven(name), {}
-  local turns = driven[#driven] == "angle"
-  for i = 1, #model:reaction(name) - (turns and 1 or 0) do keys[i] = "f" .. axes[i] end
-  if turns then keys[#keys + 1] = "moment" end
-  record_list(run, add_columns(run, name, keys), function() return model:reaction(name) end)
-end
-
-local function record_target(run, model, name)
-  record_list(run, add_columns(run, name, stages.components(model, name)), function() return model:target(name) end)
-end
-
-local function record_motion(run, model, name)
-  local free = model:free_motion(name)
-  local keys = lists.filter({ "ux", "uy", "uz", "angle" }, function(key) return free[key] ~= nil end)
-  if #keys == 0 then return end
-  record_list(run, add_columns(run, name, keys), function()
-    local motion = model:free_motion(name)
-    return lists.map(keys, function(key) return motion[key] end)
-  end)
-end
-
-local function record_contact(run, model, contact)
-  local columns, resultant = {}, model:contact_resultant(contact)
-  for _, key in ipairs(contact_columns) do
-    if resultant[key] then columns[key] = add_column(run, contact .. "." .. key) end
-  end
-  local before = resultant.unsettled
-  run.recorders[#run.recorders + 1] = function(row)
-    local now = model:contact_resultant(contact)
-    for key, values in pairs(columns) do values[row] = now[key] end
-    if now.unsettled > before then
-      local found = run.unsettled[contact] or { count = 0, step = run.step_column[row] }
-      run.unsettled[contact] = { count = found.count + now.unsettled - before, step = found.step,
-                                 at = now.unsettled_at }
-      before = now.unsettled
-    end
-  end
-end
 
 --- The data of a path, without what a run adds to it.
 local function outline(path)
   return lists.map(path, function(stage)
-    return { name = stage.name, steps = stage.steps, targets = stage.targets, paths = stage.paths,
-             contacts = stage.contacts }
+    return { name = stage.name, steps = stage.steps, duration = stage.duration, targets = stage.targets,
+             paths = stage.paths, contacts = stage.contacts }
   end)
 end
 
@@ -115,18 +54,12 @@ function Run.new(model, path)
     wary = 0, places = {}, wall = 0, stages = {}, controls = {}, fallbacks = {}, energies = {},
     extra = {}, measured = {}, names = {}, values = {}, histories = {}, recorders = {}, stored_states = {},
     before = model:timings(),
-    warnings = {}, unsettled = {}, unstable_law = false,
+    warnings = {}, unsettled = {}, flawed = {}, unstable_law = false,
     jumps = jumps.record(), overlaps = {}, state_findings = {}, examined = 0,
     unexamined = { states = {}, before = {} }, adaptations = {}, contact_zones = {},
   }, Run)
   adapt.begin(run, model)
-  run.step_column, run.increment_column = add_column(run, "step"), add_column(run, "increments")
-  run.iteration_column, run.wall_column = add_column(run, "iterations"), add_column(run, "wall")
-  for _, support in ipairs(model:support_names()) do record_force(run, model, support) end
-  for _, load in ipairs(model:load_names()) do record_force(run, model, load) end
-  for _, name in ipairs(model:driven_names()) do record_target(run, model, name) end
-  for _, support in ipairs(model:support_names()) do record_motion(run, model, support) end
-  for _, contact in ipairs(model:contact_names()) do record_contact(run, model, contact) end
+  recorders.start(run, model, path)
   return run
 end
 
@@ -173,7 +106,7 @@ local function append_row(run, position, increments, iterations, wall)
 end
 
 --- Adds a column for values that a function of the user returns.
-function Run:add_extra(name) self.extra[name] = add_column(self, name) end
+function Run:add_extra(name) self.extra[name] = recorders.add_column(self, name) end
 
 --- Adds the result of a function of the user, `from`, to the last row: numbers by column name. A new name becomes a
 --- column. `expected`: what else it may return, in words.

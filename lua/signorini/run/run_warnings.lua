@@ -154,6 +154,19 @@ local function unsettled(run, contact)
       counted(found.count, "time"), position(found.at))
 end
 
+--- A sentence for a contact whose formula of friction is negative somewhere, or falls faster than its springs.
+local function flawed(run, contact)
+  local found = run.flawed[contact]
+  if not found then return nil end
+  local what = found.flaw == "jumps"
+    and "friction jumps where a point begins to slip, since mu falls faster with the slip of a step than the "
+      .. "tangential penalty can follow: results depend on the steps. Hint: raise friction.penalty, or let mu fall "
+      .. "over a longer slip"
+    or "the formula of mu is negative, which counts as 0. Hint: correct the formula, as with sg.abs"
+  return ("contact '%s': %s (%s in accepted states, the last time at X = (%s))"):format(contact, what,
+    counted(found.count, "time"), position(found.at))
+end
+
 --- Notes in run.unstable_law the first accepted step in which the law of a body, made from an energy, is unstable.
 function run_warnings.note_law(run, model)
   if run.unstable_law then return end
@@ -247,15 +260,20 @@ local function states(run, model)
   return lists.map(run.state_findings, function(finding) return sentence(run, model, finding) end)
 end
 
+local function rubs(model, contact)
+  local law = model:contact_law(contact)
+  return law.mu_formula ~= nil or (law.mu or 0) > 0
+end
+
 local function sticks(model)
   return lists.any(model:contact_names(), function(contact)
     local now = model:contact_resultant(contact)
-    return (model:contact_law(contact).mu or 0) > 0 and now.active > now.slipping
+    return rubs(model, contact) and now.active > now.slipping
   end)
 end
 
 local function has_friction(model)
-  return lists.any(model:contact_names(), function(contact) return (model:contact_law(contact).mu or 0) > 0 end)
+  return lists.any(model:contact_names(), function(contact) return rubs(model, contact) end)
 end
 
 --- A sentence for a last step whose equilibrium is not unique, so that damping has selected one. Where points stick,
@@ -298,6 +316,7 @@ function run_warnings.of_run(run, model, early)
   for _, contact in ipairs(run.rows > 0 and model:contact_names() or {}) do
     texts[#texts + 1] = untouched(run, model, contact)
     texts[#texts + 1] = unsettled(run, contact)
+    texts[#texts + 1] = flawed(run, contact)
     local text = unbalanced(run, model, contact)
     texts[#texts + 1] = text
     if text then differing = differing or contact end

@@ -14,6 +14,8 @@ local stages = {}
 
 local where = "model:run"
 
+stages.clock = "time of the stage" -- the key of the starting time in `starts`, which is not a name
+
 -- ── Supports and loads ───────────────────────────────────────────────────────────────────────────────────────────────
 
 --- True for the name of a support, driven or not.
@@ -109,6 +111,20 @@ local function values_along(model, course, name, label, steps)
   return path
 end
 
+--- Raises an error where friction needs a duration that the stage does not have, or arc length does not know it.
+local function check_duration(model, label, title, duration, options)
+  if duration and options.arc_length then
+    core.fail(("%s: %s has a duration, but arc_length = true lets the path turn back, which time cannot. Hint: remove "
+      .. "one of the two"):format(where, label))
+  end
+  for _, contact in ipairs(duration and {} or model:contact_names()) do
+    if model:contact_law(contact).of_rate then
+      core.fail(("%s: contacts.%s.friction.mu depends on v, but stage '%s' has no duration. Hint: write duration = its "
+        .. "length in time"):format(where, contact, title))
+    end
+  end
+end
+
 --- `now`: the values before the stage by support or load, then those after it.
 local function read_stage(model, rows, index, stage, options, now)
   local label = ("stages[%d]"):format(index)
@@ -140,7 +156,9 @@ local function read_stage(model, rows, index, stage, options, now)
   end
   local contacts = lists.merged(values.contacts or {})
   contact_changes.check(model, where, label, contacts, options)
-  return { name = title, steps = values.steps, targets = targets, paths = paths, contacts = contacts, jumps = jumps }
+  check_duration(model, label, title, values.duration, options)
+  return { name = title, steps = values.steps, duration = values.duration, targets = targets, paths = paths,
+           contacts = contacts, jumps = jumps }
 end
 
 --- The stages, each { name, steps, targets (by support or load), paths (values of functions at the ends of steps),
@@ -175,6 +193,12 @@ function stages.at(stage, name, number, part, into)
   from, to = from or stage.starts[name], to or stage.targets[name]
   for i = 1, #to do into[i] = share == 1 and to[i] or from[i] + (to[i] - from[i]) * share end
   return into
+end
+
+--- The time at the fraction `part` of step `number`, nil without a duration.
+function stages.time(stage, number, part)
+  if not stage.duration then return nil end
+  return stage.starts[stages.clock][1] + stage.duration * ((number - 1 + part) / stage.steps)
 end
 
 --- The change of component i in step `number`.

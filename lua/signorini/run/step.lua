@@ -35,6 +35,8 @@ function Step:set_targets(to)
   for name in pairs(stage.targets) do
     self.model:set_target(name, stages.at(stage, name, self.number, to, stage.now[name]))
   end
+  local time = stages.time(stage, self.number, to)
+  if time then self.model:set_time(time) end
   contact_changes.set(self.model, stage, (self.number - 1 + to) / stage.steps)
 end
 

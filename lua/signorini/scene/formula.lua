@@ -1,5 +1,5 @@
--- Formulas of the user in elastic laws and level sets: a function is called once with symbols, and its formula is
--- compiled.
+-- Formulas of the user in elastic laws, level sets and coefficients of friction: a function is called once with
+-- symbols, and its formula is compiled.
 
 local core = require "signorini.core"
 local check = require "signorini.call.check"
@@ -74,6 +74,20 @@ function formula.level_set(values)
   check_parameters(where, "f", values.f, symbols, false,
     ("the corners of box have %d coordinates; write f = function(%s)"):format(#low, table.concat(names, ", ", 1, #low)))
   return core.level_set{ f = formula_of(where, "f", values.f, symbols), low = low, high = high }
+end
+
+-- As friction_variables() of src/contact/law/friction_formula.cpp; users have the first six.
+local friction_names = { "p", "v", "slip", "X", "Y", "Z", "recent" }
+
+--- The formula of a coefficient of friction: of a function, or of { static, kinetic, over }.
+function formula.friction(name, mu)
+  local symbols = core.symbols(friction_names)
+  if type(mu) == "table" then
+    return mu.kinetic + (mu.static - mu.kinetic) * core.sg.exp(-symbols[7] / mu.over)
+  end
+  local given = table.move(symbols, 1, 6, 1, {})
+  check_parameters("sg.model", name, mu, given, true, "write those that it uses, in this order")
+  return formula_of("sg.model", name, mu, given)
 end
 
 return formula

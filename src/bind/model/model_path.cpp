@@ -233,6 +233,8 @@ constexpr Function model_path_entries[] = {
     {"solve_arc", call<solve_arc<D>>},
     {"set_penalty_factor", call<model::set_penalty_factor<D>>},
     {"penalty_factor", call<[](const model::Model<D>& model) { return model.present.penalty_factor; }>},
+    {"set_time", call<model::set_time<D>>},
+    {"time", call<[](const model::Model<D>& model) { return model.present.time; }>},
     {"last_length", call<model::last_length<D>>},
     {"accept", call<model::accept<D>>},
     {"rollback", call<model::rollback<D>>},

@@ -47,9 +47,8 @@ template <int D> int free_motion(const model::Model<D>& model, const std::string
 }
 
 /// Area on which the tractions of a contact act.
-template <int D> const char* area_name(const contact::Method<D>& method) {
-  const contact::PenaltyLaw* law = contact::penalty_law(method);
-  return law && law->per == contact::TractionArea::current ? "current" : "reference";
+template <int D> const char* area_name(const model::Contact<D>& contact) {
+  return contact.method.law.per == contact::TractionArea::current ? "current" : "reference";
 }
 
 const char* name_of(contact::Enforcement enforcement) {
@@ -67,10 +66,10 @@ template <int D> int contact_law(const model::Model<D>& model, const std::string
   const model::Contact<D>& named = model.system.scene.contacts[contact];
   const contact::History<D>& history = model.present.contacts[contact];
   const contact::Formulation<D>& formulation = *model.system.contacts[contact];
-  push_fields(L, "points", named.points, "per", area_name<D>(named.method), "active",
+  push_fields(L, "points", named.points, "per", area_name(named), "active",
               formulation.parameters().active(history.changes));
-  if (const auto* cohesive = std::get_if<contact::CohesiveLaw>(&named.method)) {
-    const auto& [strength, energy, softening, stiffness] = cohesive->cohesion;
+  if (named.method.bond) {
+    const auto& [strength, energy, softening, stiffness] = *named.method.bond;
     const bool bilinear = softening == contact::Softening::bilinear;
     set_fields(L, "strength", strength, "energy", energy, "law", bilinear ? "bilinear" : "exponential");
     if (bilinear) set_field(L, "stiffness", stiffness);
@@ -78,18 +77,23 @@ template <int D> int contact_law(const model::Model<D>& model, const std::string
                                               [&](const auto& bond) { return bond.foot != contact::Foot::none; });
     set_field(L, "bonded", static_cast<int>(bonded));
   }
-  if (const auto* adhesion = std::get_if<contact::Adhesion>(&named.method)) {
+  if (const auto& adhesion = named.method.law.adhesion) {
     set_fields(L, "method", "gpts", "hamaker", adhesion->hamaker, "r0", adhesion->distance);
     return 1;
   }
-  const auto* mortar = std::get_if<contact::MortarLaw>(&named.method);
-  set_field(L, "method", named.other_pass >= 0 ? "half_passes" : mortar ? "mortar" : "gpts");
-  if (mortar) set_field(L, "multipliers", name_of(mortar->multipliers));
-  const contact::PenaltyLaw law = contact::changed(*contact::penalty_law(named.method), history.changes);
+  const bool half = named.other_pass >= 0;
+  const auto& multipliers = named.method.multipliers;
+  set_field(L, "method", half ? "half_passes" : multipliers ? "mortar" : "gpts");
+  if (multipliers && !half) set_field(L, "multipliers", name_of(*multipliers));
+  const contact::InterfaceLaw law = contact::changed(named.method.law, history.changes);
   set_fields(L, "offset", formulation.parameters().offset(history.changes), "enforcement", name_of(law.enforcement),
              "penalty", law.normal, "default_penalty", named.default_penalty && !history.changes.normal);
   if (named.start.interference) set_field(L, "overlap", history.changes.overlap);
-  if (contact::may_rub(law)) set_fields(L, "mu", law.friction, "friction_penalty", law.tangential);
+  if (contact::may_rub(law)) set_field(L, "friction_penalty", law.tangential);
+  if (const auto& formula = law.coefficient)
+    set_fields(L, "mu_formula", contact::text_of(*formula), "of_rate", formula->of_rate);
+  else if (contact::may_rub(law))
+    set_field(L, "mu", law.friction);
   return 1;
 }
 
@@ -102,11 +106,11 @@ template <int D> int contact_resultant(const model::Model<D>& model, const std::
               contact::mean_pressure(model.system.contacts[contact]->points(), model.present.contacts[contact]));
   const model::Contact<D>& named = model.system.scene.contacts[contact];
   const bool is_half = named.other_pass >= 0;
-  set_field(L, "per", area_name<D>(named.method));
+  set_field(L, "per", area_name(named));
   if (is_half) set_field(L, "imbalance", model::imbalance(model, static_cast<int>(contact)));
   set_force<D>(L, sum.force);
-  if (const auto* cohesive = std::get_if<contact::CohesiveLaw>(&named.method))
-    set_field(L, "debonded", model.present.contacts[contact].debonding / cohesive->cohesion.energy);
+  if (named.method.bond)
+    set_field(L, "debonded", model.present.contacts[contact].debonding / named.method.bond->energy);
   const auto& multipliers = model.present.contacts[contact].multiplier_results;
   double weighted = 0;
   for (const auto& one : multipliers)
@@ -117,6 +121,11 @@ template <int D> int contact_resultant(const model::Model<D>& model, const std::
     set_field(L, name, static_cast<int>(count));
     if (count > 0) set_field(L, place, VectorX(latest()));
   };
+  if (formulation.parameters().by_formula()) {
+    const auto& counters = formulation.counters;
+    set_count("flawed", "flawed_at", counters.flawed, [&] { return counters.flawed_at; });
+    if (counters.flawed > 0) set_field(L, "flaw", counters.flaw == contact::FrictionFlaw::jumps ? "jumps" : "negative");
+  }
   set_count("unsettled", "unsettled_at", formulation.counters.unsettled,
             [&] { return formulation.counters.unsettled_at; });
   const auto crossed = contact::crossed(formulation, model.present.contacts[contact], model.accepted.contacts[contact]);
@@ -129,6 +138,7 @@ template <int D> int profile(const model::Model<D>& model, const std::string& na
   push_fields(L, "x", all.x, "y", all.y, "X", all.reference_x, "Y", all.reference_y, "area", all.area, "pressure",
               all.pressure, "traction", all.traction, "gap", all.gap, "inside", all.inside, "state", all.state);
   if (!all.damage.empty()) set_field(L, "damage", all.damage);
+  if (!all.mu.empty()) set_fields(L, "mu", all.mu, "slip", all.slip);
   if (D == 3)
     set_fields(L, "z", all.z, "Z", all.reference_z, "tx", all.traction_x, "ty", all.traction_y, "tz", all.traction_z);
   return 1;

@@ -2,6 +2,7 @@
 #include "bind/lua/open.hpp"
 #include "bind/lua/wording/wording.hpp"
 #include "bind/scene/scene_builder.hpp"
+#include "bind/scene/symbols.hpp"
 
 #include <algorithm>
 
@@ -53,34 +54,53 @@ contact::Cohesion read_cohesion(const Arguments& a, double penalty) {
   return cohesion;
 }
 
-template <int D> contact::Method<D> read_method(const Arguments& a) {
+/// μ: a number, or what signorini.scene.formula makes of a function or of a table.
+void read_coefficient(const Arguments& friction, contact::InterfaceLaw& law) {
+  law.frictional = true;
+  if (friction.is("mu", LUA_TNUMBER)) {
+    law.friction = friction.get<double>("mu");
+    return;
+  }
+  lua_State* L = friction.state();
+  push_require(L);
+  lua_pushliteral(L, "signorini.scene.formula");
+  lua_call(L, 1, 1);
+  lua_getfield(L, -1, "friction");
+  push(L, friction.name("mu"));
+  friction.push("mu");
+  lua_call(L, 2, 1);
+  const auto& symbol = read_object<Symbol>(L, -1, {"the coefficient of friction"});
+  law.friction = 1;
+  law.coefficient = contact::make_friction_formula({*symbol.graph, symbol.node});
+}
+
+contact::Method read_method(const Arguments& a) {
   if (a.has("adhesion")) {
     const Arguments adhesion = a.table("adhesion");
-    return contact::Adhesion{adhesion.get<double>("hamaker"), adhesion.get<double>("r0")};
+    return contact::adhesive({adhesion.get<double>("hamaker"), adhesion.get<double>("r0")});
   }
-  contact::PenaltyLaw law{a.get("penalty", 0.0)};
+  contact::InterfaceLaw law{a.get("penalty", 0.0)};
   if (a.has("friction")) {
     const Arguments friction = a.table("friction");
-    law.friction = friction.get<double>("mu");
+    read_coefficient(friction, law);
     law.tangential = friction.get("penalty", 0.0);
-    law.frictional = true;
   }
   law.enforcement = choice<contact::Enforcement>(a.get<std::string>("enforcement"), {"penalty", "multipliers"});
   if (a.has("cohesive")) {
     law.per = contact::TractionArea::reference;
-    return contact::CohesiveLaw{law, read_cohesion(a.table("cohesive"), law.normal)};
+    return {law, {}, contact::Pass::full, read_cohesion(a.table("cohesive"), law.normal)};
   }
   enum class Points { gauss, half_passes, mortar };
   const auto points = choice<Points>(a.get<std::string>("method"), {"gpts", "half_passes", "mortar"});
   std::optional<contact::MultiplierSpace> space;
   if (a.has("multipliers")) space = read_multipliers(a);
-  if (points == Points::half_passes) return contact::HalfPass{law, space};
+  if (points == Points::half_passes) return {law, space, contact::Pass::half};
   if (points == Points::mortar || (a.has("per") && a.get<std::string>("per") == "reference"))
     law.per = contact::TractionArea::reference;
   if (points == Points::gauss) return law;
   using contact::MultiplierSpace;
   const bool solved = law.enforcement == contact::Enforcement::multipliers;
-  return contact::MortarLaw{law, space.value_or(solved ? MultiplierSpace::automatic : MultiplierSpace::equal)};
+  return {law, space.value_or(solved ? MultiplierSpace::automatic : MultiplierSpace::equal)};
 }
 
 /// The user's function of the reference position, below a path of keys. It is called only while the model is created,
@@ -121,8 +141,11 @@ template <int D> model::Contact<D> read_contact(SceneBuilder<D>& builder, const 
   for (const model::FaceReference& face : contact.slave)
     require(!master || !master->contains(face), a.name("master"), " is the same face as ", a.name("slave"),
             "; self-contact is not available: use a face of the other body");
-  contact.method = read_method<D>(a);
+  contact.method = read_method(a);
   contact.adaptive_points = a.is("points", LUA_TSTRING);
+  const auto& formula = contact.method.law.coefficient;
+  require(!contact.adaptive_points || !formula || !formula->of_rate, a.name("points"),
+          " is \"auto\", but friction.mu depends on v, which points that begin to act do not know: give a number");
   contact.points =
       a.has("points") && !contact.adaptive_points ? a.get<int>("points") : default_points(builder.scene, contact.slave);
   contact.where = read_region<D>(a, {"contacts", name});
@@ -231,7 +254,7 @@ template <int D> int push_model(const Arguments& a, lua_State* L) {
   each("contacts", [&](const Arguments& part, const std::string& name) -> std::string& {
     const std::size_t first = scene.contacts.size();
     scene.contacts.push_back(read_contact(builder, part, name));
-    if (std::holds_alternative<contact::HalfPass>(scene.contacts[first].method)) {
+    if (scene.contacts[first].method.pass == contact::Pass::half) {
       scene.contacts[first].name = name;
       model::Contact<D> other = swapped(builder, part, scene.contacts[first]);
       check_name(a, scene, other.name, text("the second pass '", other.name, "' of contacts.", name));

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "contact/constants.hpp"
+#include "contact/point/interface_force.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,12 +24,11 @@ template <int D> void rub_in_part(const LocalForce<D>& without, double damage, L
 } // namespace
 
 template <int D>
-CohesiveContact<D>::CohesiveContact(const ContactSetting<D>& setting, const CohesiveLaw& law)
-    : PenaltyContact<D>(setting, law.penalty), bonds_{law.cohesion, std::vector<Projection<D>>(points_.size())} {
-  check(law.cohesion);
-  require(law.penalty.per == TractionArea::reference && law.penalty.enforcement == Enforcement::penalty,
-          "contact.cohesion.penalty");
-  const double most = bond_distance * strongest_opening(law.cohesion);
+CohesiveContact<D>::CohesiveContact(const ContactSetting<D>& setting, const InterfaceLaw& law, const Cohesion& cohesion)
+    : GaussPointContact<D>(setting, law), bonds_{cohesion, std::vector<Projection<D>>(points_.size())} {
+  check(cohesion);
+  require(law.per == TractionArea::reference && law.enforcement == Enforcement::penalty, "contact.cohesion.penalty");
+  const double most = bond_distance * strongest_opening(cohesion);
   double nearest = std::numeric_limits<double>::infinity();
   bool any = false;
   FacePoint<D> foot;
@@ -51,14 +51,14 @@ CohesiveContact<D>::CohesiveContact(const ContactSetting<D>& setting, const Cohe
 
 template <int D>
 void CohesiveContact<D>::evaluate_point(std::size_t i, const Trial<D>& trial, SumPart<D>& part, FootPoints<D>& feet) {
-  if (!bonds_.bonded(i)) return PenaltyContact<D>::evaluate_point(i, trial, part, feet);
+  if (!bonds_.bonded(i)) return GaussPointContact<D>::evaluate_point(i, trial, part, feet);
   const std::optional<FixedContactState> fixed = this->close(i, trial, part, feet);
   FacePoint<D> bonded;
   faces_.master.locate(bonds_.closest[i], bonded);
   faces_.master.functions(bonded, 1);
   Bond<D> bond{Vec<D>(trial.present.results[i].position - bonded.position)};
   bond.largest = trial.accepted.bonds[i].largest;
-  const PenaltyLaw law = parameters_.law_in(trial.present.changes, trial.penalty_factor);
+  const InterfaceLaw law = parameters_.law_in(trial.present.changes, trial.penalty_factor);
   if (!fixed) {
     const Separation separation = separate(bonds_.law, bond.opening(), bond.largest);
     return record_bond(i, trial, bond, separation, bonded, part);
@@ -70,13 +70,13 @@ void CohesiveContact<D>::evaluate_point(std::size_t i, const Trial<D>& trial, Su
   const Separation separation = separate(bonds_.law, bond.opening(), bond.largest);
 
   LocalForce<D> force, relief;
-  penalty_force(law, geometry, force);
+  interface_force(law, geometry, force);
   relief_force(bond, separation, geometry, relief);
   if (law.friction > 0) {
     LocalForce<D> without;
-    PenaltyLaw smooth = law;
+    InterfaceLaw smooth = law;
     smooth.friction = 0;
-    penalty_force(smooth, geometry, without);
+    interface_force(smooth, geometry, without);
     // δ[d (F − F₀)] contains (F − F₀) δd.
     relief.tangent.noalias() += (separation.damage_rate * (force.force - without.force)) * opening_row(bond, false);
     rub_in_part(without, separation.damage, force);
@@ -126,7 +126,7 @@ void CohesiveContact<D>::commit(History<D>& present, const History<D>& accepted,
   present.debonding = 0;
   for (std::size_t i = 0; i < points_.size(); ++i)
     present.debonding += reference_area(points_.list[i]) * bonds_.separation(present, i).dissipated;
-  PenaltyContact<D>::commit(present, accepted, penalty_factor);
+  GaussPointContact<D>::commit(present, accepted, penalty_factor);
 }
 
 template <int D> Vec<D> CohesiveContact<D>::friction_of(const History<D>& history, std::size_t i) const {
@@ -138,7 +138,7 @@ template <int D> double CohesiveContact<D>::pressure_of(const History<D>& histor
 }
 
 template <int D> double CohesiveContact<D>::stiffness(const History<D>& history, double penalty_factor) const {
-  const double contact = PenaltyContact<D>::stiffness(history, penalty_factor);
+  const double contact = GaussPointContact<D>::stiffness(history, penalty_factor);
   double sum = contact * contact;
   for (std::size_t i = 0; i < points_.size(); ++i) {
     const double spring = history.results[i].law_area * bonds_.separation(history, i).stiffness;

@@ -10,7 +10,7 @@
 namespace signorini::contact {
 
 template <int D>
-Formulation<D>::Formulation(ContactSetting<D> setting, std::optional<PenaltyLaw> law, Pass pass)
+Formulation<D>::Formulation(ContactSetting<D> setting, std::optional<InterfaceLaw> law, Pass pass)
     : faces_{std::move(setting.slave), std::move(setting.master)},
       points_(faces_.slave, setting.points, setting.revolved, setting.where,
               setting.adaptive ? (2 * setting.points + 2) / 3 : 0),
@@ -37,13 +37,23 @@ template <int D> void Formulation<D>::commit(History<D>& present, const History<
     present.offset_work += parameters_.energy_share() * 0.5 *
                            (before.pressure * before.area + after.pressure * after.area) *
                            (parameters_.offset(i, present.changes) - parameters_.offset(i, accepted.changes));
+    count_flaw(after.flaw, i);
     if (after.settled) continue;
     ++counters.unsettled;
     counters.unsettled_at = points_.reference[i];
   }
-  for (std::size_t a = 0; a < present.multipliers.size(); ++a)
+  for (std::size_t a = 0; a < present.multipliers.size(); ++a) {
     present.growth += growth(accepted.multiplier_results[a], present.multiplier_results[a]);
+    count_flaw(present.multiplier_results[a].flaw, multipliers()->points[a]);
+  }
   return_to_accepted();
+}
+
+template <int D> void Formulation<D>::count_flaw(FrictionFlaw flaw, std::size_t point) {
+  if (flaw == FrictionFlaw::none) return;
+  ++counters.flawed;
+  counters.flawed_at = points_.reference[point];
+  counters.flaw = flaw;
 }
 
 template <int D> void Formulation<D>::settle(History<D>& accepted) {

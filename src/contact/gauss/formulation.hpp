@@ -31,6 +31,7 @@ template <int D> struct Trial {
   const Controls& controls;
   double penalty_factor = 1;     ///< multiplies all penalty parameters
   const double* extra = nullptr; ///< values of the formulation's additional unknowns
+  double duration = 0;           ///< of the step; 0: none
 };
 
 /// Multipliers of a formulation that are eliminated; their histories are then the constraints of history.hpp.
@@ -45,6 +46,10 @@ template <int D> struct ContactCounters {
   /// and reference position of the latest.
   int unsettled = 0;
   Vec<D> unsettled_at = Vec<D>::Zero();
+  /// The same of points or multipliers whose formula of friction has a flaw, and the latest flaw.
+  int flawed = 0;
+  Vec<D> flawed_at = Vec<D>::Zero();
+  FrictionFlaw flaw = FrictionFlaw::none;
   bool times_search = false; ///< reads a clock twice per projected point
   double search_seconds = 0; ///< for updates of the search tree and projections while timed, summed over threads
 };
@@ -54,7 +59,7 @@ template <int D> struct ContactCounters {
 template <int D> class Formulation {
 public:
   /// Throws Error if no contact point is left, or a constant of the law is invalid.
-  explicit Formulation(ContactSetting<D> setting, std::optional<PenaltyLaw> law = {}, Pass pass = Pass::full);
+  explicit Formulation(ContactSetting<D> setting, std::optional<InterfaceLaw> law = {}, Pass pass = Pass::full);
   virtual ~Formulation() = default;
   Formulation(const Formulation&) = delete;
   Formulation& operator=(const Formulation&) = delete;
@@ -101,6 +106,7 @@ public:
   ContactCounters<D> counters;
 
 protected:
+  void count_flaw(FrictionFlaw flaw, std::size_t point);
   /// Returns the last evaluation's blocks to their source, to reuse their memory.
   virtual void take_back(std::vector<Block>& blocks) { blocks.clear(); }
 

@@ -1,12 +1,10 @@
 #include "contact/gauss/gauss_point_contact.hpp"
 
-#include "contact/gauss/history_transfer.hpp"
-#include "contact/point/point_choice.hpp"
+#include "contact/point/interface_force.hpp"
+#include "contact/point/touch.hpp"
 #include "os/timer.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace signorini::contact {
 
@@ -23,25 +21,6 @@ template <int D> void GaussPointContact<D>::evaluate_part(int index, const Trial
     evaluate_point(i, trial, part, feet);
   }
   part.sums.close_element(tangent);
-}
-
-/// Evaluates the results of points at the displacements evaluated last, where the accepted state equals `present`.
-template <int D>
-void GaussPointContact<D>::evaluate_points(History<D>& present, const std::vector<std::size_t>& points,
-                                           double penalty_factor) {
-  const Controls controls;
-  const Trial<D> trial{present, present, controls, penalty_factor};
-  FootPoints<D> feet;
-  std::optional<SumPart<D>> part; // of one element; its forces are not used
-  int element = -1;
-  for (const std::size_t i : points) {
-    if (points_.list[i].element != element)
-      part.emplace(SumPart<D>{0, 0, BlockSums<D>(faces_.slave, faces_.master, parameters_.pass)});
-    element = points_.list[i].element;
-    present.results[i] = {};
-    present.results[i].position = position(points_, faces_.slave, i);
-    evaluate_point(i, trial, *part, feet);
-  }
 }
 
 template <int D>
@@ -71,6 +50,8 @@ void GaussPointContact<D>::record(std::size_t i, const Trial<D>& trial, const Lo
   result.pressure = force.pressure / force.stretch;
   for (int k = 0; k < D - 1; ++k) result.tangents.col(k) = geometry.slave_tangent[k];
   result.friction = force.friction / force.stretch;
+  result.mu = force.mu;
+  result.flaw = force.flaw;
   result.force = weight * force.force;
   result.law_area = weight * force.measure;
   result.area = result.law_area * force.stretch;
@@ -89,57 +70,80 @@ template <int D> void GaussPointContact<D>::take_back(std::vector<Block>& blocks
 }
 
 template <int D>
-void GaussPointContact<D>::commit(History<D>& present, const History<D>& accepted, double penalty_factor) {
-  double farthest = 0; // by which a point of the slave has approached the master
-  const double master_moved = points_.sparse > 0 ? faces_.master_moved() : 0;
-  for (std::size_t i = 0; i < points_.size() && points_.sparse > 0; ++i)
-    if (acts(points_, present, i))
-      farthest = std::max(farthest, (present.results[i].position - accepted.results[i].position).norm() + master_moved);
-  Formulation<D>::commit(present, accepted, penalty_factor);
-  if (points_.sparse > 0) choose_points(present, farthest, penalty_factor);
+void GaussPointContact<D>::evaluate_point(std::size_t i, const Trial<D>& trial, SumPart<D>& part, FootPoints<D>& feet) {
+  if (!parameters_.active(trial.present.changes)) return;
+  const std::optional<FixedContactState> fixed = close(i, trial, part, feet);
+  if (!fixed) return;
+  const InterfaceLaw law = parameters_.law_in(trial.present.changes, trial.penalty_factor);
+  const LocalGeometry<D> geometry = closed_geometry(i, trial, law, *fixed, feet);
+  LocalForce<D> force;
+  interface_force(law, geometry, force);
+  record(i, trial, geometry, force, part, feet);
 }
 
-/// Changes the rules of elements for the next step. Points that begin to act take over histories and are evaluated;
-/// the energy of springs changes by the error of quadrature, which counts as growth.
-template <int D> void GaussPointContact<D>::choose_points(History<D>& present, double moved, double penalty_factor) {
-  const std::vector<char> sparse =
-      choose_sparse(points_, faces_.slave, present, moved, [&](std::span<const std::size_t> open, double distance) {
-        return is_near(present, open, distance);
-      });
-  std::vector<std::size_t> all;
-  for (std::size_t first = 0, last; first < points_.size(); first = last) {
-    const int e = points_.list[first].element;
-    std::vector<std::size_t> before, after;
-    for (last = first; last < points_.size() && points_.list[last].element == e; ++last)
-      (acts(points_, present, last) ? before : after).push_back(last);
-    if (sparse[e] == present.sparse[e]) continue;
-    recall(memories<D>(*this, present, before), *this, after, present);
-    for (const std::size_t i : before) {
-      present.growth -= present.results[i].potential;
-      present.points[i] = {};
-      present.results[i] = {};
-    }
-    all.insert(all.end(), after.begin(), after.end());
-  }
-  present.sparse = sparse;
-  evaluate_points(present, all, penalty_factor);
-  for (const std::size_t i : all) present.growth += present.results[i].potential;
-}
-
-/// True if one of some open points is nearer to contact than a distance. Where its bound does not tell, the point is
-/// projected, so that the answer depends on the state alone: not on what a bound has been spent on, nor on a save.
 template <int D>
-bool GaussPointContact<D>::is_near(const History<D>& present, std::span<const std::size_t> points,
-                                   double distance) const {
-  FacePoint<D> foot;
-  return std::any_of(points.begin(), points.end(), [&](std::size_t i) {
-    const PointHistory<D>& point = present.points[i];
-    if (point.cleared - faces_.travel >= distance) return false;
-    const Projection<D> closest = faces_.master.project(present.results[i].position, point.projection, foot);
-    // The sign at an end or a kink does not matter: contact is |g| away.
-    const double gap = closest.foot == Foot::regular ? closest.gap : std::abs(closest.gap);
-    return gap - parameters_.offset(i, present.changes) < distance;
-  });
+std::optional<FixedContactState> GaussPointContact<D>::close(std::size_t i, const Trial<D>& trial, SumPart<D>& part,
+                                                             FootPoints<D>& feet) const {
+  PointHistory<D>& point = trial.present.points[i];
+  const Controls& controls = trial.controls;
+  const double reach = contact::reach(*parameters_.law);
+  const bool always = std::isinf(reach);
+  const FixedContactState fixed = always ? FixedContactState::free : controls.fixed(static_cast<int>(i));
+  if (fixed == FixedContactState::open) return {};
+  if (fixed == FixedContactState::free && faces_.travel + controls.guessed < point.cleared) return {};
+  const bool opposite = find_foot(i, trial, part, feet);
+  const Foot foot = point.projection.foot;
+  const double distance = point.projection.gap - parameters_.offset(i, trial.present.changes) - reach;
+  // A point beyond an end of the master comes behind it without a way when the end turns.
+  const bool clear = foot == Foot::regular && feet.foot.settled && distance > 0;
+  point.cleared = clear ? faces_.travel + distance : 0;
+  if (!opposite || (foot != Foot::regular && point.projection.gap == 0)) return {}; // no direction
+  return always ? fixed : controls.closed(static_cast<int>(i), distance);
+}
+
+template <int D>
+LocalGeometry<D> GaussPointContact<D>::closed_geometry(std::size_t i, const Trial<D>& trial, const InterfaceLaw& law,
+                                                       FixedContactState fixed, FootPoints<D>& feet) const {
+  PointHistory<D>& point = trial.present.points[i];
+  LocalGeometry<D> geometry = this->geometry(i, trial, feet);
+  geometry.fixed_state = fixed;
+  geometry.tie = trial.controls.tie();
+  if (law.friction == 0) return geometry;
+  if (law.coefficient) geometry.rubbing = {trial.duration, point.slipped, point.recent, place_of(points_.reference[i])};
+  if (!point.slips) {
+    // A newly closed point slips from where it touches or, without a forecast, from its foot in the accepted state.
+    std::optional<MasterPoint<D>> from;
+    if (trial.controls.foresees) from = foresee_touch(i, trial);
+    if (!from) from = faces_.accepted_foot(trial.accepted.results[i].position, point.projection);
+    point.slips = from.has_value();
+    if (from) point.slip = *from;
+  }
+  if (point.slips) {
+    faces_.master.locate(point.slip, feet.slip_point);
+    geometry.slip_point = &feet.slip_point.position;
+  }
+  return geometry;
+}
+
+/// Where a point that the guess of the step closes touches on the way to it.
+template <int D>
+std::optional<MasterPoint<D>> GaussPointContact<D>::foresee_touch(std::size_t i, const Trial<D>& trial) const {
+  const auto touching = [&](const History<D>& history) -> Touching<D> {
+    return {history.results[i].position, parameters_.offset(i, history.changes)};
+  };
+  return touch_point<D>(faces_.accepted, faces_.master, touching(trial.accepted), touching(trial.present),
+                        trial.present.points[i].projection);
+}
+
+template <int D> double GaussPointContact<D>::stiffness(const History<D>& history, double penalty_factor) const {
+  const InterfaceLaw law = parameters_.law_in(history.changes, penalty_factor);
+  double sum = 0;
+  for (const PointResult<D>& point : history.results) {
+    if (!law.adhesion && !touches(point.state)) continue;
+    const double slope = contact::stiffness(law, point.gap);
+    sum += point.law_area * slope * point.law_area * slope;
+  }
+  return std::sqrt(sum);
 }
 
 template <int D> double GaussPointContact<D>::memory() const {

@@ -68,6 +68,8 @@ std::vector<PointMemory<D>> memories(const Formulation<D>& contact, const Histor
                           point.slips,
                           Vec<D>::Zero(),
                           point.limit / reference_area(contact.points().list[i]),
+                          point.slipped,
+                          point.recent,
                           point.projection};
     if (point.slips) {
       FacePoint<D> slip, foot;
@@ -106,9 +108,11 @@ void recall(const std::vector<PointMemory<D>>& memories, const Formulation<D>& c
     for (std::size_t k = 0; k < some.size(); ++k) {
       const PointMemory<D>& from = memories[some[k]];
       point.limit += w[k] * from.limit * reference_area(contact.points().list[number]);
+      point.slipped += w[k] * from.slipped;
+      point.recent += w[k] * from.recent;
       stretch += w[k] * from.stretch;
     }
-    point.limit = std::max(point.limit, 0.0);
+    for (double* value : {&point.limit, &point.slipped, &point.recent}) *value = std::max(*value, 0.0);
     point.slips = closest.slips;
     if (!point.slips) continue;
     FaceGeometry<D> slip;

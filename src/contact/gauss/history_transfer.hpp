@@ -14,6 +14,7 @@ template <int D> struct PointMemory {
   bool touches, slips;
   Vec<D> stretch; ///< x(ξ_slip) − x̄, which friction t_T = ε_T (x̄ − x(ξ_slip)) remembers; zero without a slip point
   double limit; ///< per reference area
+  double slipped, recent;
   Projection<D> projection;
 };
 

@@ -18,6 +18,9 @@ constexpr TractionArea last_value(std::type_identity<TractionArea>) {
 constexpr Enforcement last_value(std::type_identity<Enforcement>) {
   return Enforcement::multipliers;
 }
+constexpr Pass last_value(std::type_identity<Pass>) {
+  return Pass::half;
+}
 constexpr Softening last_value(std::type_identity<Softening>) {
   return Softening::bilinear;
 }
@@ -52,11 +55,6 @@ template <int D> LevelSet<D> read_level_set(ArchiveReader& from) {
   return make_level_set<D>(std::move(formula), low, high);
 }
 
-auto members(PenaltyLaw& law) {
-  auto& [normal, tangential, friction, per, enforcement, frictional] = law;
-  return std::tie(normal, tangential, friction, per, enforcement, frictional);
-}
-
 auto members(Changes& changes) {
   auto& [active, offset, normal, tangential, friction, overlap] = changes;
   return std::tie(active, offset, normal, tangential, friction, overlap);
@@ -67,39 +65,29 @@ auto members(Adhesion& law) {
   return std::tie(hamaker, distance);
 }
 
+auto members(InterfaceLaw& law) {
+  auto& [normal, tangential, friction, per, enforcement, frictional, adhesion, coefficient] = law;
+  return std::tie(normal, tangential, friction, per, enforcement, frictional, adhesion);
+}
+
 auto members(Cohesion& law) {
   auto& [strength, energy, softening, stiffness] = law;
   return std::tie(strength, energy, softening, stiffness);
 }
 
-auto members(CohesiveLaw& law) {
-  auto& [penalty, cohesion] = law;
-  return std::tie(penalty, cohesion);
-}
-
-auto members(MortarLaw& law) {
-  auto& [penalty, multipliers, scale, joined] = law; // the last two follow from material and mesh
-  return std::tuple_cat(members(penalty), std::tie(multipliers));
-}
-
-auto members(HalfPass& pass) {
-  auto& [penalty, multipliers] = pass;
-  return std::tie(penalty, multipliers);
-}
-
 /// The position follows from the displacements; a point that acts is not beyond the master; `slipped` belongs to a
 /// step.
 template <int D> auto members(PointResult<D>& result) {
-  auto& [state, position, gap, beyond, settled, pressure, area, tangents, friction, force, law_area, potential,
-         slipped] = result;
-  return std::tie(state, gap, pressure, area, tangents, friction, force, law_area, potential);
+  auto& [state, position, gap, beyond, settled, pressure, area, tangents, friction, force, law_area, potential, slipped,
+         mu, flaw] = result;
+  return std::tie(state, gap, pressure, area, tangents, friction, force, law_area, potential, mu);
 }
 
 /// `cleared` is not stored, because settling resets it.
 template <int D> auto members(PointHistory<D>& point) {
-  auto& [projection, cleared, slips, slip, limit] = point;
+  auto& [projection, cleared, slips, slip, limit, slipped, recent] = point;
   auto& [foot, element, along, xi, gap, last] = projection;
-  return std::tie(foot, element, along, xi, gap, last, slips, slip.xi, slip.last, limit);
+  return std::tie(foot, element, along, xi, gap, last, slips, slip.xi, slip.last, limit, slipped, recent);
 }
 
 template <int D> auto members(PointBond<D>& bond) {
@@ -108,14 +96,14 @@ template <int D> auto members(PointBond<D>& bond) {
 }
 
 template <int D> auto members(MultiplierResult<D>& result) {
-  auto& [state, beyond, area, gap, pressure, potential, friction, components, elastic, slipped] = result;
-  return std::tie(state, area, gap, pressure, potential, friction, components, elastic, slipped);
+  auto& [state, beyond, area, gap, pressure, potential, friction, components, elastic, slipped, mu, flaw] = result;
+  return std::tie(state, area, gap, pressure, potential, friction, components, elastic, slipped, mu);
 }
 
 /// `cleared` is not stored, because settling resets it, nor `touch`, which belongs to a step.
 template <int D> auto members(MultiplierHistory<D>& multiplier) {
-  auto& [cleared, elastic, limit, touch] = multiplier;
-  return std::tie(elastic, limit);
+  auto& [cleared, elastic, limit, touch, slipped, recent] = multiplier;
+  return std::tie(elastic, limit, slipped, recent);
 }
 
 namespace {
@@ -186,29 +174,18 @@ Obstacle<3> read(ArchiveReader& from, std::type_identity<Obstacle<3>>) {
   return read_obstacle<3>(from);
 }
 
-template <int D> void write(ArchiveWriter& to, const Method<D>& method) {
-  require(!std::holds_alternative<FormulationFactory<D>>(method), "contact.archive.own_formulation");
-  to.put(static_cast<int>(method.index()));
-  if (const auto* penalty = std::get_if<PenaltyLaw>(&method))
-    to.put(*penalty);
-  else if (const auto* adhesion = std::get_if<Adhesion>(&method))
-    to.put(*adhesion);
-  else if (const auto* mortar = std::get_if<MortarLaw>(&method))
-    to.put(*mortar);
-  else if (const auto* half = std::get_if<HalfPass>(&method))
-    to.put(*half);
-  else if (const auto* cohesive = std::get_if<CohesiveLaw>(&method))
-    to.put(*cohesive);
+void write(ArchiveWriter& to, const Method& method) {
+  // `unknown` follows from material and mesh.
+  to.put(method.law, method.multipliers, method.pass, method.bond, method.law.coefficient != nullptr);
+  if (method.law.coefficient) to.put(method.law.coefficient->formula);
 }
 
-template <int D> Method<D> read_method(ArchiveReader& from) {
-  const int index = from.get<int>();
-  require(index >= 0 && index <= 4, "contact.archive.law", {{"number", index}});
-  if (index == 0) return from.get<PenaltyLaw>();
-  if (index == 1) return from.get<Adhesion>();
-  if (index == 2) return from.get<MortarLaw>();
-  if (index == 3) return from.get<HalfPass>();
-  return from.get<CohesiveLaw>();
+Method read(ArchiveReader& from, std::type_identity<Method>) {
+  Method method;
+  from.into(method.law, method.multipliers, method.pass, method.bond);
+  if (from.get<bool>())
+    method.law.coefficient = make_friction_formula(symbolic::read_formula(from, friction_variables()));
+  return method;
 }
 
 template <int D> void write_history(ArchiveWriter& to, const History<D>& history) {
@@ -258,8 +235,6 @@ template <int D> void read_history(ArchiveReader& from, const Formulation<D>& fo
 }
 
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \
-  template void write(ArchiveWriter&, const Method<D>&);                                                               \
-  template Method<D> read_method<D>(ArchiveReader&);                                                                   \
   template void write_history(ArchiveWriter&, const History<D>&);                                                      \
   template void read_history(ArchiveReader&, const Formulation<D>&, History<D>&);
 SIGNORINI_INSTANTIATE(2)

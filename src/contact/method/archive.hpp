@@ -20,9 +20,8 @@ inline auto members(Start& start) {
   return std::tie(active, offset, interference);
 }
 
-/// Throws Error for a user-defined formulation, which cannot be saved.
-template <int D> void write(ArchiveWriter& to, const Method<D>& method);
-template <int D> Method<D> read_method(ArchiveReader& from);
+void write(ArchiveWriter& to, const Method& method);
+Method read(ArchiveReader& from, std::type_identity<Method>);
 
 /// Writes the part of the history that does not follow from the displacements.
 template <int D> void write_history(ArchiveWriter& to, const History<D>& history);

@@ -1,5 +1,7 @@
 #include "contact/mortar/coupling_sums.hpp"
 
+#include "contact/mortar/multiplier_rows.hpp"
+
 #include <utility>
 
 namespace signorini::contact {

@@ -12,9 +12,10 @@
 namespace signorini::contact {
 
 template <int D>
-MortarContact<D>::MortarContact(const ContactSetting<D>& setting, const MortarLaw& law, Pass pass)
-    : Formulation<D>(setting, law.penalty, pass),
-      functions_(faces_.slave, points_, setting.points, law.multipliers), multipliers_{functions_.largest()},
+MortarContact<D>::MortarContact(const ContactSetting<D>& setting, const InterfaceLaw& law, MultiplierSpace multipliers,
+                                Pass pass)
+    : Formulation<D>(setting, law, pass),
+      functions_(faces_.slave, points_, setting.points, multipliers), multipliers_{functions_.largest()},
       parts_(parts_of(faces_, points_, pass)), rows_(parts_.size(), MultiplierRows<D>(faces_, functions_)),
       element_sums_(functions_, faces_.slave.elements()), weighted_(functions_.count()),
       coupling_(faces_, functions_, pass, parts_.size()) {}
@@ -96,7 +97,7 @@ void MortarContact<D>::weigh(std::size_t i, const Trial<D>& trial, FootPoints<D>
 // ── Pressures ────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 template <int D> void MortarContact<D>::decide(const Trial<D>& trial) {
-  const PenaltyLaw law = parameters_.law_in(trial.present.changes, trial.penalty_factor);
+  const InterfaceLaw law = parameters_.law_in(trial.present.changes, trial.penalty_factor);
   const Controls& controls = trial.controls;
   for (int a = 0; a < functions_.count(); ++a) {
     MultiplierResult<D>& result = trial.present.multiplier_results[a];
@@ -120,7 +121,12 @@ template <int D> void MortarContact<D>::decide(const Trial<D>& trial) {
       }
       closed = controls.closed(a, result.gap);
     }
-    if (closed) own.tangent = mortar_law(law, own.sums, history, {*closed, controls.tie()}, result);
+    if (!closed) continue;
+    FrictionControl control{*closed, controls.tie()};
+    if (law.coefficient)
+      control.rubbing = {trial.duration, history.slipped, history.recent,
+                         place_of(points_.reference[multipliers_.points[a]])};
+    own.tangent = mortar_law(law, own.sums, history, control, result);
     result.potential *= parameters_.energy_share();
   }
 }
@@ -266,12 +272,12 @@ template <int D> void MortarContact<D>::commit(History<D>& present, const Histor
 
 /// Sums the work of friction; the next step slips from the present foot points.
 template <int D> void MortarContact<D>::advance(History<D>& present, const History<D>& accepted) const {
-  const double friction = parameters_.friction(present.changes), before = parameters_.friction(accepted.changes);
+  const double before = parameters_.friction(accepted.changes), friction = parameters_.friction(present.changes);
   for (std::size_t a = 0; a < present.multipliers.size(); ++a) {
     MultiplierHistory<D>& history = present.multipliers[a];
     const MultiplierResult<D>& result = present.multiplier_results[a];
     const bool open = result.state == ContactState::open;
-    const double limit = open ? 0 : friction * result.pressure * result.area;
+    const double limit = open ? 0 : result.mu * result.pressure * result.area;
     const MultiplierResult<D>& last = accepted.multiplier_results[a];
     const double before_slip = limit_before(history.limit, before, friction, last.friction.norm() * last.area);
     // ∫ μ z dγ a by the trapezoidal rule
@@ -279,6 +285,7 @@ template <int D> void MortarContact<D>::advance(History<D>& present, const Histo
     history.limit = limit;
     history.elastic = result.elastic;
     history.touch.setZero();
+    add_slip(history, result.state, result.state == ContactState::slip ? result.slipped : 0);
   }
   for (std::size_t i = 0; i < present.points.size(); ++i) {
     PointHistory<D>& point = present.points[i];
@@ -295,7 +302,7 @@ void MortarContact<D>::release(History<D>& present, const History<D>& accepted, 
     MultiplierHistory<D>& history = present.multipliers[a];
     present.dissipated += parameters_.energy_share() * 0.5 * tangential * history.elastic.squaredNorm() *
                           accepted.multiplier_results[a].area;
-    history.limit = 0;
+    history.limit = history.slipped = history.recent = 0;
     history.elastic.setZero();
     history.touch.setZero();
   }
@@ -303,10 +310,12 @@ void MortarContact<D>::release(History<D>& present, const History<D>& accepted, 
 }
 
 template <int D> double MortarContact<D>::stiffness(const History<D>& history, double penalty_factor) const {
-  const double penalty = largest_penalty(parameters_.law_in(history.changes, penalty_factor));
+  const InterfaceLaw law = parameters_.law_in(history.changes, penalty_factor);
   double sum = 0;
-  for (const MultiplierResult<D>& result : history.multiplier_results)
-    if (result.state != ContactState::open) sum += result.area * penalty * result.area * penalty;
+  for (const MultiplierResult<D>& result : history.multiplier_results) {
+    const double slope = contact::stiffness(law, result.gap);
+    if (result.state != ContactState::open) sum += result.area * slope * result.area * slope;
+  }
   return std::sqrt(sum);
 }
 

@@ -7,20 +7,14 @@
 
 namespace signorini::contact {
 
-struct MortarLaw {
-  PenaltyLaw penalty; ///< at multipliers; per reference area, in a half pass per current area, whatever its `per`
-  MultiplierSpace multipliers = MultiplierSpace::equal;
-  double scale = 0; ///< of multipliers that are unknowns, pressure per length; 0: that of `penalty`
-  int joined = 1;   ///< elements per function of MultiplierSpace::linear
-};
-
-/// Tractions Σ M_A (z_A n̄ − t_A) per reference area with the pressures z_A and frictions t_A of mortar_law.hpp. Without
-/// friction the virtual work is Σ z_A a_A δḡ_A, which has a potential. In a half pass tractions act per current area,
-/// with which gaps and slips are weighted as well: a_A and ḡ_A of a face do not depend on its reference shape.
+/// Tractions Σ M_A (z_A n̄ − t_A) per reference area, whatever the law's `per`, with the pressures z_A and frictions t_A
+/// of mortar_law.hpp. Without friction the virtual work is Σ z_A a_A δḡ_A, which has a potential. In a half pass
+/// tractions act per current area, with which gaps and slips are weighted as well: a_A and ḡ_A of a face do not depend
+/// on its reference shape.
 template <int D> class MortarContact final : public Formulation<D> {
 public:
   /// Throws Error if a constant is invalid, no contact point is left, or the face has no such multipliers.
-  MortarContact(const ContactSetting<D>& setting, const MortarLaw& law, Pass pass = Pass::full);
+  MortarContact(const ContactSetting<D>& setting, const InterfaceLaw& law, MultiplierSpace multipliers, Pass pass);
 
   const Multipliers* multipliers() const override { return &multipliers_; }
   /// Except beyond open ends of the master, where the area on which tractions act changes.

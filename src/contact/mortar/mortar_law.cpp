@@ -1,5 +1,7 @@
 #include "contact/mortar/mortar_law.hpp"
 
+#include "contact/law/slide.hpp"
+
 #include <cmath>
 
 namespace signorini::contact {
@@ -44,7 +46,7 @@ template <int D> Vec<D> turned(const Frame<D>& frame, const FaceCoordinates<D>& 
 }
 
 template <int D>
-void friction(const PenaltyLaw& law, const MultiplierSums<D>& sums, const MultiplierHistory<D>& history,
+void friction(const InterfaceLaw& law, const MultiplierSums<D>& sums, const MultiplierHistory<D>& history,
               const FrictionControl& control, MultiplierResult<D>& result, MultiplierTangent<D>& tangent) {
   using Components = FaceCoordinates<D>;
   using Square = Eigen::Matrix<double, D - 1, D - 1>;
@@ -53,18 +55,15 @@ void friction(const PenaltyLaw& law, const MultiplierSums<D>& sums, const Multip
   const Vec<D> v = sums.slip / sums.area - history.touch;
   // Trial ε_T (η_A + e·V), V = V_A − V*_A
   const Components slip = e.transpose() * v, trial = law.tangential * (history.elastic + slip);
-  const double magnitude = trial.norm(), limit = law.friction * result.pressure;
-  const double tie = (law.tangential + law.friction * law.normal) * control.tie;
-  Components traction = trial;
+  const Slide<D - 1> step = slide<D - 1>(law, trial, result.pressure, control.fixed, control.tie, control.rubbing);
+  result.state = step.state;
+  result.mu = step.mu;
+  result.flaw = step.flaw;
+  const Components& traction = step.friction;
   Square scale = Square::Identity(); // ∂traction/∂trial
-  result.state = ContactState::stick;
-  if (slips(control.fixed, magnitude, limit, tie) && magnitude > 0) {
-    // t = μ z d,  δt = μ δz d + μ z/|trial| (I − d dᵀ) δtrial
-    result.state = ContactState::slip;
-    const Components d = trial / magnitude;
-    traction = limit * d;
-    scale = (limit / magnitude) * (Square::Identity() - d * d.transpose());
-    tangent.of_gap = (law.friction * tangent.pressure) * (e * d);
+  if (step.state == ContactState::slip) {
+    scale = step.of_trial;
+    tangent.of_gap = (step.of_pressure * tangent.pressure) * (e * step.direction);
   }
   result.components = traction;
   result.elastic = traction / law.tangential;
@@ -88,22 +87,24 @@ void friction(const PenaltyLaw& law, const MultiplierSums<D>& sums, const Multip
 } // namespace
 
 template <int D>
-MultiplierTangent<D> mortar_law(const PenaltyLaw& law, const MultiplierSums<D>& sums,
+MultiplierTangent<D> mortar_law(const InterfaceLaw& law, const MultiplierSums<D>& sums,
                                 const MultiplierHistory<D>& history, const FrictionControl& control,
                                 MultiplierResult<D>& result) {
   MultiplierTangent<D> tangent;
-  result.pressure = -law.normal * result.gap;
-  tangent.pressure = -law.normal;
+  const GapResponse response = respond(law, result.gap);
+  result.pressure = response.pressure;
+  tangent.pressure = response.rate;
   result.state = ContactState::stick;
-  result.potential = 0.5 * law.normal * result.gap * result.gap * sums.area;
+  result.potential = response.potential * sums.area;
+  result.mu = law.coefficient ? 0 : law.friction;
   if (law.friction > 0 && (result.pressure > 0 || control.fixed == FixedContactState::stick))
     friction(law, sums, history, control, result, tangent);
   return tangent;
 }
 
-template MultiplierTangent<2> mortar_law(const PenaltyLaw&, const MultiplierSums<2>&, const MultiplierHistory<2>&,
+template MultiplierTangent<2> mortar_law(const InterfaceLaw&, const MultiplierSums<2>&, const MultiplierHistory<2>&,
                                          const FrictionControl&, MultiplierResult<2>&);
-template MultiplierTangent<3> mortar_law(const PenaltyLaw&, const MultiplierSums<3>&, const MultiplierHistory<3>&,
+template MultiplierTangent<3> mortar_law(const InterfaceLaw&, const MultiplierSums<3>&, const MultiplierHistory<3>&,
                                          const FrictionControl&, MultiplierResult<3>&);
 
 } // namespace signorini::contact

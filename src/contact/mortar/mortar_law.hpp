@@ -1,8 +1,8 @@
 #pragma once
-// Law of one multiplier of mortar contact: penalty, and Coulomb friction [theory 8.1].
+// Law of one multiplier of mortar contact [theory 8.1].
 
+#include "contact/law/interface_law.hpp"
 #include "contact/point/history.hpp"
-#include "contact/point/penalty.hpp"
 
 namespace signorini::contact {
 
@@ -30,6 +30,7 @@ template <int D> struct MultiplierSums {
 struct FrictionControl {
   FixedContactState fixed;
   double tie;
+  Rubbing rubbing = {};
 };
 
 /// Derivatives of z_A and t_A with respect to ḡ_A, Σ w n̄, V_A = Σ w v/a_A and Σ w xˢ_,1; zero if open.
@@ -46,7 +47,7 @@ template <int D> struct MultiplierTangent {
 /// η_A has components along e₁, the direction of Σ w xˢ_,1 in this plane, and e₂ = n_A × e₁ (3D), so that it
 /// turns with the slave.
 template <int D>
-MultiplierTangent<D> mortar_law(const PenaltyLaw& law, const MultiplierSums<D>& sums,
+MultiplierTangent<D> mortar_law(const InterfaceLaw& law, const MultiplierSums<D>& sums,
                                 const MultiplierHistory<D>& history, const FrictionControl& control,
                                 MultiplierResult<D>& result);
 

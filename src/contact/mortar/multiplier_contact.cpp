@@ -1,6 +1,7 @@
 #include "contact/mortar/multiplier_contact.hpp"
 
 #include "contact/constants.hpp"
+#include "contact/mortar/multiplier_rows.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -8,10 +9,11 @@
 namespace signorini::contact {
 
 template <int D>
-MultiplierContact<D>::MultiplierContact(ContactSetting<D> setting, const MortarLaw& law)
-    : PenaltyContact<D>(setting, law.penalty),
-      functions_(faces_.slave, points_, setting.points, law.multipliers, law.joined),
-      each_(may_rub(law.penalty) ? D : 1), scale_(law.scale > 0 ? law.scale : law.penalty.normal),
+MultiplierContact<D>::MultiplierContact(ContactSetting<D> setting, const InterfaceLaw& law, MultiplierSpace multipliers,
+                                        const UnknownMultipliers& constants)
+    : GaussPointContact<D>(setting, law),
+      functions_(faces_.slave, points_, setting.points, multipliers, constants.joined), each_(may_rub(law) ? D : 1),
+      scale_(constants.scale > 0 ? constants.scale : law.normal),
       couplings_(parts_.size(), CouplingSums<D>(faces_, functions_, each_, scale_)),
       conditions_(faces_.slave.elements()), areas_(functions_.areas(points_)) {}
 
@@ -94,7 +96,7 @@ void MultiplierContact<D>::evaluate_point(std::size_t i, const Trial<D>& trial, 
   const PointCondition<D> open = open_condition<D>(multiplier, frictional());
   const double reference = points_.list[i].reference_area;
   const FixedContactState state = trial.controls.fixed(static_cast<int>(i));
-  const PenaltyLaw law = parameters_.law_in(trial.present.changes);
+  const InterfaceLaw law = parameters_.law_in(trial.present.changes);
   // A point with a pressure is closed up to the gap pressure/ε.
   const double reach = faces_.travel + trial.controls.guessed + multiplier.norm() / law.normal;
   if (!parameters_.active(trial.present.changes) || state == FixedContactState::open ||
@@ -126,7 +128,7 @@ void MultiplierContact<D>::evaluate_point(std::size_t i, const Trial<D>& trial, 
 template <int D>
 void MultiplierContact<D>::transmit(std::size_t i, const Trial<D>& trial, const Vec<D>& multiplier,
                                     const LocalGeometry<D>& geometry, SumPart<D>& part, FootPoints<D>& feet) {
-  const PenaltyLaw law = parameters_.law_in(trial.present.changes);
+  const InterfaceLaw law = parameters_.law_in(trial.present.changes);
   const Vec<D>& n = geometry.normal;
   LocalForce<D> force;
   const GapRows<D> gap = gap_rows(geometry, force.shift);
@@ -136,6 +138,8 @@ void MultiplierContact<D>::transmit(std::size_t i, const Trial<D>& trial, const 
   force.measure = geometry.reference_measure;
   fade_area(geometry, force.shift, force.measure, measure_row);
   force.state = condition.state;
+  force.mu = condition.mu;
+  force.flaw = condition.flaw;
   force.potential = 0;
   force.pressure = n.dot(traction);
   force.friction = force.pressure * n - traction;
@@ -202,7 +206,7 @@ void MultiplierContact<D>::commit(History<D>& present, const History<D>& accepte
     PointHistory<D>& point = present.points[i];
     const PointResult<D>&result = present.results[i], &last = accepted.results[i];
     const bool closed = touches(result.state);
-    const double limit = closed ? friction * std::max(0.0, result.pressure) * result.area : 0;
+    const double limit = closed ? result.mu * std::max(0.0, result.pressure) * result.area : 0;
     if (!closed || !point.slips || limit == 0) {
       point.slip = point.projection.point();
     } else if (result.state == ContactState::slip) {
@@ -212,8 +216,9 @@ void MultiplierContact<D>::commit(History<D>& present, const History<D>& accepte
     }
     point.slips = closed;
     point.limit = limit;
+    add_slip(point, result.state, result.slipped);
   }
-  GaussPointContact<D>::commit(present, accepted, penalty_factor);
+  this->accept(present, accepted, penalty_factor);
 }
 
 template <int D> double MultiplierContact<D>::memory() const {

@@ -1,11 +1,18 @@
 #pragma once
 // Lagrange multipliers as functions on the slave face, with contact conditions that are integrated point by point.
 
-#include "contact/gauss/penalty_contact.hpp"
+#include "contact/gauss/gauss_point_contact.hpp"
 #include "contact/mortar/coupling_sums.hpp"
-#include "contact/mortar/mortar_contact.hpp"
+#include "contact/mortar/multiplier_functions.hpp"
+#include "contact/mortar/multiplier_law.hpp"
 
 namespace signorini::contact {
+
+/// Constants of multipliers that are unknowns.
+struct UnknownMultipliers {
+  double scale = 0; ///< pressure per length; 0: that of the penalty
+  int joined = 1;   ///< elements per function of MultiplierSpace::linear
+};
 
 /// λ = s Σ M_A χ_A is a pressure, with friction a vector, per reference area; the unknowns χ_A are lengths, so that
 /// their rows are forces. Points are open, stick and slip, and transmit λ + c with the c of multiplier_law.hpp; the
@@ -13,10 +20,11 @@ namespace signorini::contact {
 /// ∫ (⟨λ − ε_N g⟩² − λ²)/(2 ε_N) dA, which makes the tangent without friction symmetric. In the derivatives only, a
 /// proximal term −proximal_contact a_A δλ_A, a_A = ∫ M_A dA, makes the system regular where conditions depend on each
 /// other or on supports; it vanishes with the correction δλ [theory 8.2].
-template <int D> class MultiplierContact final : public PenaltyContact<D> {
+template <int D> class MultiplierContact final : public GaussPointContact<D> {
 public:
   /// Throws Error if a constant is invalid, no contact point is left, or the face has no such multipliers.
-  MultiplierContact(ContactSetting<D> setting, const MortarLaw& law);
+  MultiplierContact(ContactSetting<D> setting, const InterfaceLaw& law, MultiplierSpace multipliers,
+                    const UnknownMultipliers& constants);
 
   int extra_unknowns() const override { return functions_.count() * each_; }
   bool has_potential() const override { return false; }
@@ -26,7 +34,7 @@ public:
   double memory() const override;
   /// The factor does not act.
   double stiffness(const History<D>& history, double /*penalty_factor*/) const override {
-    return PenaltyContact<D>::stiffness(history, 1);
+    return GaussPointContact<D>::stiffness(history, 1);
   }
 
 private:

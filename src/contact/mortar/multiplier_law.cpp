@@ -1,7 +1,6 @@
 #include "contact/mortar/multiplier_law.hpp"
 
-#include <algorithm>
-#include <cmath>
+#include "contact/law/slide.hpp"
 
 namespace signorini::contact {
 
@@ -14,11 +13,12 @@ template <int D> PointCondition<D> open_condition(const Vec<D>& multiplier, bool
 }
 
 template <int D>
-PointCondition<D> closed_condition(const PenaltyLaw& law, const LocalGeometry<D>& geometry, const Vec<D>& multiplier,
+PointCondition<D> closed_condition(const InterfaceLaw& law, const LocalGeometry<D>& geometry, const Vec<D>& multiplier,
                                    bool frictional, const GapRows<D>& gap, const LocalShift<D>& shift) {
   using Force = LocalForce<D>;
   PointCondition<D> condition;
   condition.state = ContactState::stick;
+  condition.mu = law.coefficient ? 0 : law.friction;
   const double g = geometry.gap - geometry.offset;
   if (!frictional) {
     condition.residual(0) = -law.normal * g;
@@ -43,24 +43,20 @@ PointCondition<D> closed_condition(const PenaltyLaw& law, const LocalGeometry<D>
     LocalBlock<D> rows =
         law.tangential * (plane * slip) - (n.dot(x) * Mat<D>::Identity() + n * x.transpose()) * gap.normal;
     Mat<D> of_multiplier = -plane;
-    const double magnitude = y.norm(), limit = law.friction * std::max(0.0, q);
-    const double tie = (law.tangential + law.friction * law.normal) * geometry.tie;
-    Vec<D> friction = y;
-    if (slips(geometry.fixed_state, magnitude, limit, tie) && magnitude > 0) {
-      // t = μ q d,  δt = μ δq d + μ q/|y| (I − d dᵀ) δy
+    const Slide<D> step = slide<D>(law, y, q, geometry.fixed_state, geometry.tie, geometry.rubbing);
+    condition.mu = step.mu;
+    condition.flaw = step.flaw;
+    if (step.state == ContactState::slip) {
       condition.state = ContactState::slip;
-      condition.slipped = (magnitude - limit) / law.tangential;
-      const Vec<D> d = y / magnitude;
-      const Mat<D> across = (limit / magnitude) * (Mat<D>::Identity() - d * d.transpose());
-      friction = limit * d;
-      rows = across * rows;
-      of_multiplier = across * of_multiplier;
-      if (limit > 0) {
-        rows += (law.friction * d) * q_row;
-        of_multiplier += (law.friction * d) * n.transpose();
+      condition.slipped = step.slipped;
+      rows = step.of_trial * rows;
+      of_multiplier = step.of_trial * of_multiplier;
+      if (step.of_pressure != 0) {
+        rows += (step.of_pressure * step.direction) * q_row;
+        of_multiplier += (step.of_pressure * step.direction) * n.transpose();
       }
     }
-    condition.residual -= friction;
+    condition.residual -= step.friction;
     condition.rows -= rows;
     condition.of_multiplier -= of_multiplier;
   }
@@ -69,7 +65,7 @@ PointCondition<D> closed_condition(const PenaltyLaw& law, const LocalGeometry<D>
 
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \
   template PointCondition<D> open_condition(const Vec<D>&, bool);                                                      \
-  template PointCondition<D> closed_condition(const PenaltyLaw&, const LocalGeometry<D>&, const Vec<D>&, bool,         \
+  template PointCondition<D> closed_condition(const InterfaceLaw&, const LocalGeometry<D>&, const Vec<D>&, bool,       \
                                               const GapRows<D>&, const LocalShift<D>&);
 SIGNORINI_INSTANTIATE(2)
 SIGNORINI_INSTANTIATE(3)

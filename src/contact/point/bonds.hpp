@@ -1,7 +1,7 @@
 #pragma once
 // The bonds of a cohesive contact.
 
-#include "contact/point/cohesion.hpp"
+#include "contact/law/cohesion.hpp"
 #include "contact/point/history.hpp"
 
 namespace signorini::contact {

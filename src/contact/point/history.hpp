@@ -1,7 +1,7 @@
 #pragma once
 // History and results of contact points: plain values, part of a model's state.
 
-#include "contact/point/changes.hpp"
+#include "contact/law/changes.hpp"
 #include "contact/point/contact_points.hpp"
 #include "contact/point/local.hpp"
 
@@ -15,14 +15,16 @@ template <int D> struct PointResult {
   bool beyond = false;              ///< its closest point is an open end of the master
   bool settled = true;              ///< the searches for its closest point and, once accepted, its slip point converged
   double pressure = 0;
-  double area = 0; ///< to which the tractions refer: current; adhesion: reference
+  double area = 0; ///< to which the tractions refer: current; of mortar contact reference, in a half pass current
   /// Tangents of the slave face at a touching point, current, not of unit length
   Eigen::Matrix<double, D, D - 1> tangents = Eigen::Matrix<double, D, D - 1>::Zero();
-  Vec<D> friction = Vec<D>::Zero(); ///< t_T; the traction on the slave is t_N n̄ − t_T
-  Vec<D> force = Vec<D>::Zero();    ///< on the slave: traction × area
-  double law_area = 0;              ///< on which the law's tractions act: current or reference
-  double potential = 0;             ///< energy of the law at this point
-  double slipped = 0;               ///< of multipliers: by how far the trial slip is outside of Coulomb's cone
+  Vec<D> friction = Vec<D>::Zero();       ///< t_T; the traction on the slave is t_N n̄ − t_T
+  Vec<D> force = Vec<D>::Zero();          ///< on the slave: traction × area
+  double law_area = 0;                    ///< on which the law's tractions act: current or reference
+  double potential = 0;                   ///< energy of the law at this point
+  double slipped = 0;                     ///< of multipliers: by how far the trial slip is outside of Coulomb's cone
+  double mu = 0;                          ///< coefficient of friction, see Slide
+  FrictionFlaw flaw = FrictionFlaw::none; ///< see Slide
 };
 
 /// `area` per `law_area`: the law's pressure is `pressure` times this.
@@ -36,7 +38,8 @@ template <int D> struct PointHistory {
   double cleared = 0;       ///< value of Faces::travel up to which an open point stays open
   bool slips = false;       ///< has a slip point
   MasterPoint<D> slip;
-  double limit = 0; ///< μ t_N times the area in the accepted state
+  double limit = 0;               ///< μ t_N times the area in the accepted state
+  double slipped = 0, recent = 0; ///< slip since the touch, and since the last whole step in which it stuck
 };
 
 /// Bond of one contact point: history and result.
@@ -59,6 +62,8 @@ template <int D> struct MultiplierResult {
   FaceCoordinates<D> components = FaceCoordinates<D>::Zero(); ///< of t_A
   FaceCoordinates<D> elastic = FaceCoordinates<D>::Zero();    ///< slip of its spring
   double slipped = 0;                                         ///< since the accepted state
+  double mu = 0;                                              ///< coefficient of friction, see Slide
+  FrictionFlaw flaw = FrictionFlaw::none;                     ///< see Slide
 };
 
 /// History of one multiplier.
@@ -66,7 +71,8 @@ template <int D> struct MultiplierHistory {
   double cleared = 0; ///< value of Faces::travel up to which all its points stay open
   FaceCoordinates<D> elastic = FaceCoordinates<D>::Zero(); ///< slip of its spring in the accepted state
   double limit = 0;                                        ///< μ z_A a_A in the accepted state
-  Vec<D> touch = Vec<D>::Zero(); ///< V*_A: the part of V_A before the multiplier touches in the present step
+  Vec<D> touch = Vec<D>::Zero();  ///< V*_A: the part of V_A before the multiplier touches in the present step
+  double slipped = 0, recent = 0; ///< as those of a point
 };
 
 /// One entry per contact point in the first two lists, one per multiplier in the others.
@@ -86,6 +92,13 @@ template <int D> struct History {
   double dissipated = 0, growth = 0, offset_work = 0;
   double debonding = 0; ///< energy that bonds have dissipated
 };
+
+/// Adds the slip of an accepted step to a history of a point or multiplier; one that does not touch forgets its own.
+template <class Any> void add_slip(Any& history, ContactState state, double slipped) {
+  if (!touches(state)) slipped = history.slipped = 0;
+  history.recent = state == ContactState::slip ? history.recent + slipped : 0;
+  history.slipped += slipped;
+}
 
 /// True if point i acts: it belongs to the rule of its element.
 template <int D> bool acts(const ContactPoints<D>& points, const History<D>& history, std::size_t i) {

@@ -4,11 +4,6 @@
 
 namespace signorini::contact {
 
-const char* name_of(ContactState state) {
-  constexpr const char* names[] = {"open", "stick", "slip", "adhesion", "bonded"};
-  return names[static_cast<int>(state)];
-}
-
 template <int D> double slave_measure(const LocalGeometry<D>& geometry, LocalRow<D>& derivative) {
   derivative.setZero();
   constexpr int column = LocalForce<D>::slave_tangent_column;

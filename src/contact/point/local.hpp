@@ -3,25 +3,10 @@
 // area that all laws share.
 
 #include "contact/closest/projection.hpp"
+#include "contact/law/friction_formula.hpp"
+#include "contact/law/state.hpp"
 
 namespace signorini::contact {
-
-/// Open: no traction (penalty), or beyond the distance of the strongest attraction (adhesion). Stick and slip: closed
-/// (penalty), without friction always stick. Adhesion: closer than the distance of the strongest attraction. Bonded:
-/// not closed, held by a cohesive bond.
-enum class ContactState { open, stick, slip, adhesion, bonded };
-
-/// True if the penalty acts.
-constexpr bool touches(ContactState state) {
-  return state == ContactState::stick || state == ContactState::slip;
-}
-
-/// State to which a point is fixed, independent of its gap and friction; free: not fixed. Touching: stick or slip
-/// according to the friction law.
-enum class FixedContactState : unsigned char { free, open, touching, stick };
-
-/// "open", "stick", "slip", "adhesion", "bonded".
-const char* name_of(ContactState state);
 
 /// Input of a contact law at one point, in the current configuration unless noted otherwise.
 template <int D> struct LocalGeometry {
@@ -39,7 +24,8 @@ template <int D> struct LocalGeometry {
   FixedContactState fixed_state = FixedContactState::free;
   /// A trial slip within this distance of Coulomb's cone sticks, if negative slips. See Controls::tie().
   double tie = 0;
-  double fade = 1; ///< effective fraction of the area, below 1 beyond an open end of the master
+  Rubbing rubbing = {}; ///< what a formula of friction depends on
+  double fade = 1;      ///< effective fraction of the area, below 1 beyond an open end of the master
   FaceCoordinates<D> fade_rate = FaceCoordinates<D>::Zero(); ///< ∂fade/∂ξ̄
 };
 
@@ -54,6 +40,8 @@ template <int D> struct LocalForce {
   double potential;                          ///< energy of the law per area: penalty springs or adhesion
   double pressure;                           ///< normal traction t_N on the slave along n̄; negative in attraction
   Vec<D> friction;                           ///< t_T; the traction on the slave is t_N n̄ − t_T
+  double mu = 0;                             ///< see Slide
+  FrictionFlaw flaw = FrictionFlaw::none;    ///< see Slide
   double measure;                            ///< area, per parametric area, on which the traction acts
   double stretch;                            ///< current area per area on which the traction acts
   Vec<D> force;                              ///< (t_N n̄ − t_T) · measure

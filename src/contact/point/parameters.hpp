@@ -1,7 +1,7 @@
 #pragma once
 // Parameters of a contact along a load path: those of the scene, and what changes make of them.
 
-#include "contact/point/penalty.hpp"
+#include "contact/law/interface_law.hpp"
 
 #include <optional>
 #include <vector>
@@ -13,7 +13,7 @@ enum class Pass : unsigned char { full, half };
 
 struct Parameters {
   Start start;
-  std::optional<PenaltyLaw> law = {}; ///< of the scene, if the formulation has one
+  std::optional<InterfaceLaw> law = {}; ///< of the scene, if the formulation has one
   Pass pass = Pass::full;
   /// Overlap of the initial shapes at the points, if the contact is an interference fit; otherwise empty.
   std::vector<double> overlap = {};
@@ -25,9 +25,12 @@ struct Parameters {
     return offset(changes) - (overlap.empty() ? 0 : changes.overlap * overlap[i]);
   }
   /// The penalty law in a state, with its penalty parameters times a factor. Requires a law.
-  PenaltyLaw law_in(const Changes& changes, double factor = 1) const { return scaled(changed(*law, changes), factor); }
+  InterfaceLaw law_in(const Changes& changes, double factor = 1) const {
+    return scaled(changed(*law, changes), factor);
+  }
   /// Coulomb's μ and the penalty parameter ε_N (0: none), which warnings and the diagnosis compare with usual values.
   double friction(const Changes& changes) const { return law ? changed(*law, changes).friction : 0; }
+  bool by_formula() const { return law && law->coefficient; }
   double penalty(const Changes& changes) const { return law ? changed(*law, changes).normal : 0; }
   /// Both half passes compute the whole energy of the springs and the whole work of friction between the faces: each
   /// counts half.

@@ -28,10 +28,9 @@ template <int D> std::shared_ptr<const Origin<D>> origin_of(const Model<D>& mode
 template <int D>
 std::optional<contact::FaceMultipliers<D>> multipliers_of(const Contact<D>& contact,
                                                           const contact::Formulation<D>& formulation) {
-  const auto kind = multiplier_space(contact);
+  const auto kind = contact.method.multipliers;
   if (!kind) return {};
-  const auto* mortar = std::get_if<contact::MortarLaw>(&contact.method);
-  return contact::FaceMultipliers<D>(formulation.slave(), *kind, mortar ? mortar->joined : 1);
+  return contact::FaceMultipliers<D>(formulation.slave(), *kind, contact.method.unknown.joined);
 }
 
 /// The map of values of one face's multipliers to those of another one with other rows.
@@ -114,12 +113,12 @@ public:
     if (old.multipliers.empty()) return result;
     // Multipliers carry the friction; slips of the next step start at the feet on the new shape, at all points.
     for (contact::PointHistory<D>& point : result.points) point.slips = false;
-    // Elastic slip and limit of each multiplier
-    MatrixX values(D, old.multipliers.size());
+    // Elastic slip, limit and slips of each multiplier
+    MatrixX values(D + 2, old.multipliers.size());
     for (std::size_t a = 0; a < old.multipliers.size(); ++a) {
       const contact::MultiplierHistory<D>& one = old.multipliers[a];
       const double area = old.multiplier_results[a].area;
-      values.col(static_cast<Eigen::Index>(a)) << one.elastic, area > 0 ? one.limit / area : 0;
+      values.col(static_cast<Eigen::Index>(a)) << one.elastic, area > 0 ? one.limit / area : 0, one.slipped, one.recent;
     }
     const MatrixX carried = (*multipliers_[k])(values);
     result.multipliers.assign(own.multipliers()->count(), {});
@@ -129,6 +128,8 @@ public:
       contact::MultiplierHistory<D>& one = result.multipliers[a];
       one.elastic = column.template head<D - 1>();
       one.limit = std::max(0.0, column(D - 1)); // μ z_A; times a_A once that is evaluated
+      one.slipped = std::max(0.0, column(D));
+      one.recent = std::max(0.0, column(D + 1));
     }
     return result;
   }
@@ -180,6 +181,7 @@ template <int D> std::shared_ptr<Model<D>> with_bodies(const Model<D>& model, co
     if (other.system.unknowns.unknown(dof) < 0) state.displacement(dof) = prescribed(dof); // without rounding errors
   state.targets = old.targets;
   state.penalty_factor = old.penalty_factor;
+  state.time = old.time;
   state.internal = old.internal;
   for (std::size_t k = 0; k < old.contacts.size(); ++k) state.contacts[k] = carry.history(k, old.contacts[k]);
   other.path = model.path;

@@ -76,8 +76,9 @@ namespace {
 
 template <int D>
 void write_contact(ArchiveWriter& to, const Contact<D>& contact, const contact::Formulation<D>& formulation) {
-  const auto& [name, slave, master, method, points, where, start, bonded, other_pass, default_penalty,
-               adaptive_points] = contact;
+  const auto& [name, slave, master, method, points, where, start, bonded, other_pass, default_penalty, adaptive_points,
+               own] = contact;
+  require(!own, "contact.archive.own_formulation");
   const auto* faces = std::get_if<Faces>(&master);
   to.put(name, slave, faces ? *faces : Faces{}, faces ? -1 : std::get<ObstacleReference>(master).obstacle, method,
          points, points_of_region(formulation), start, bonded_points(formulation), other_pass, default_penalty,
@@ -86,7 +87,7 @@ void write_contact(ArchiveWriter& to, const Contact<D>& contact, const contact::
 
 template <int D> Contact<D> read_contact(ArchiveReader& from) {
   Contact<D> contact{};
-  auto& [name, slave, master, method, points, where, start, bonded, other_pass, default_penalty, adaptive_points] =
+  auto& [name, slave, master, method, points, where, start, bonded, other_pass, default_penalty, adaptive_points, own] =
       contact;
   from.into(name, slave);
   const Faces faces = from.get<Faces>();
@@ -95,8 +96,7 @@ template <int D> Contact<D> read_contact(ArchiveReader& from) {
     master = faces;
   else
     master = obstacle;
-  method = contact::read_method<D>(from);
-  points = from.get<int>();
+  from.into(method, points);
   where = region_of<D>(from.get<RegionPoints<D>>());
   from.into(start);
   bonded = region_of<D>(from.get<RegionPoints<D>>());

@@ -114,9 +114,8 @@ template <int D> void warn_of_idle_angles(const System<D>& system, std::vector<M
   for (const FreeAngle<D>& angle : system.unknowns.free_angles()) {
     const auto rubs = [&](const Contact<D>& contact) {
       const auto* master = std::get_if<ObstacleReference>(&contact.master);
-      const contact::PenaltyLaw* law = contact::penalty_law(contact.method);
-      return master && master->obstacle == angle.obstacle &&
-             (!law || may_rub(*law) || std::holds_alternative<contact::CohesiveLaw>(contact.method));
+      const contact::InterfaceLaw* law = penalty_law(contact);
+      return master && master->obstacle == angle.obstacle && (!law || may_rub(*law) || contact.method.bond);
     };
     if (is_round(system.scene, angle) && std::ranges::none_of(system.scene.contacts, rubs))
       warnings.push_back(

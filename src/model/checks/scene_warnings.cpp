@@ -85,11 +85,11 @@ void warn_of_stiffness(const Scene<D>& scene, const Contact<D>& contact, double 
 /// oscillate, and Newton's method cycles.
 template <int D>
 void warn_of_stiff_slave(const Scene<D>& scene, const Contact<D>& contact, std::vector<Message>& warnings) {
-  const contact::PenaltyLaw* law = contact::penalty_law(contact.method);
+  const contact::InterfaceLaw* law = penalty_law(contact);
   const auto* face = std::get_if<Faces>(&contact.master);
   if (!face || !law || law->enforcement != contact::Enforcement::multipliers) return;
   const double ratio = youngs_modulus(scene, contact.slave) / youngs_modulus(scene, *face);
-  const bool linear = multiplier_space(contact) == contact::MultiplierSpace::linear;
+  const bool linear = contact.method.multipliers == contact::MultiplierSpace::linear;
   if (linear || ratio < stiff_slave || pitch(scene, *face) < pitch(scene, contact.slave)) return;
   warnings.push_back(Message("model.warning.stiff_slave", {{"contact", contact.name},
                                                            {"slave", scene.bodies[contact.slave.front().body].name},
@@ -138,9 +138,9 @@ void warn_of_few_points(const Contact<D>& contact, const contact::Surface<D>& sl
 /// 2002). Bodies with fewer than three elements in it pull off element by element.
 template <int D>
 void warn_of_coarse_bonds(const Scene<D>& scene, const Contact<D>& contact, std::vector<Message>& warnings) {
-  const auto* law = std::get_if<contact::CohesiveLaw>(&contact.method);
-  if (!law) return;
-  const double strength = law->cohesion.strength, energy = law->cohesion.energy;
+  const auto& bond = contact.method.bond;
+  if (!bond) return;
+  const double strength = bond->strength, energy = bond->energy;
   const double softer = softer_modulus(scene, contact);
   const double thinner = thinner_body(scene, contact);
   const double thick = softer * energy / (strength * strength);
@@ -183,17 +183,13 @@ void warn_of_missing_bonds(const Scene<D>& scene, const Contact<D>& contact, con
         Message("model.warning.missing_bonds", {{"contact", contact.name}, {"count", count}, {"distance", farthest}}));
 }
 
-/// Cohesive contact contains penalty contact.
-template <int D> std::size_t kind_of(const contact::Method<D>& method) {
-  return std::holds_alternative<contact::CohesiveLaw>(method) ? 0 : method.index();
-}
-
-/// True if two contacts act on the same points at the start. Different kinds of laws may do so: adhesion and penalty.
+/// True if two contacts act on the same points at the start. Adhesion and a penalty may do so.
 /// Half passes act on their slave only.
 template <int D>
 bool act_twice(const Contact<D>& a, const Contact<D>& b, const contact::Formulation<D>& first,
                const contact::Formulation<D>& second) {
-  if (kind_of<D>(a.method) != kind_of<D>(b.method) || !a.start.active || !b.start.active) return false;
+  if (a.method.law.adhesion.has_value() != b.method.law.adhesion.has_value() || !a.start.active || !b.start.active)
+    return false;
   const auto* master = a.other_pass < 0 ? std::get_if<Faces>(&a.master) : nullptr;
   if (master && *master == b.slave && b.master == decltype(b.master)(a.slave)) return true; // slave and master swapped
   if (!(a.slave == b.slave) || !(a.master == b.master)) return false;

@@ -102,13 +102,13 @@ template <int D> void add_stiffness(Diagnosis& diagnosis, const Model<D>& model)
 /// Adds the number of bonds under high traction in the accepted state. Where bonds snap, no equilibrium lies ahead.
 template <int D> void add_debonding(Diagnosis& diagnosis, const Model<D>& model, const ControlsOn& on) {
   for (std::size_t k = 0; k < model.system.contacts.size(); ++k) {
-    const auto* law = std::get_if<contact::CohesiveLaw>(&model.system.scene.contacts[k].method);
-    if (!law) continue;
+    const auto& bond = model.system.scene.contacts[k].method.bond;
+    if (!bond) continue;
     const contact::History<D>& history = model.accepted.contacts[k];
     int loaded = 0;
     for (std::size_t i = 0; i < history.bonds.size(); ++i) {
       const double tension = std::min(0.0, history.results[i].pressure), shear = history.bonds[i].shear.norm();
-      loaded += std::hypot(tension, shear) > high_traction * law->cohesion.strength;
+      loaded += std::hypot(tension, shear) > high_traction * bond->strength;
     }
     if (loaded == 0) continue;
     diagnosis.messages.push_back(

@@ -105,6 +105,7 @@ template <int D> Message exhausted_friction(const Model<D>& model) {
     const bool sticks = std::ranges::any_of(present.results, [](const auto& point) {
       return point.state == contact::ContactState::stick && point.pressure > 0;
     });
+    if (contact.parameters().by_formula()) continue; // its limit follows from the points' own pressures and slips
     const double mu = contact.parameters().friction(present.changes),
                  angle = std::atan(mu) + (sticks ? spread : -spread);
     for (int i = 0; i < scene.bodies[b].body->functions(); ++i)

@@ -23,15 +23,15 @@ namespace model {
 
 namespace {
 
-const ArchiveKind kind{"checkpoint", 9, 9};
+const ArchiveKind kind{"checkpoint", 10, 10};
 
 using Parts = std::vector<ScenePart>;
 
 template <int D> void write_state(ArchiveWriter& to, const Snapshot<D>& saved) {
-  const auto& [displacement, targets, force, factor, contacts, internal] = saved.state;
+  const auto& [displacement, targets, force, factor, time, contacts, internal] = saved.state;
   const auto& [increment, previous, before, targets_before, linear_error, quadratic_error, force_scale, work] =
       saved.path;
-  to.put(displacement, increment, targets, previous, before, targets_before, force_scale, work, force, factor,
+  to.put(displacement, increment, targets, previous, before, targets_before, force_scale, work, force, factor, time,
          linear_error, quadratic_error, saved.linear);
   for (const auto& history : contacts) contact::write_history<D>(to, history);
   for (const auto& values : internal)
@@ -40,10 +40,10 @@ template <int D> void write_state(ArchiveWriter& to, const Snapshot<D>& saved) {
 
 /// Reads the state into a snapshot of a model of the same scene.
 template <int D> void read_state(ArchiveReader& from, const System<D>& system, Snapshot<D>& saved) {
-  auto& [displacement, targets, force, factor, contacts, internal] = saved.state;
+  auto& [displacement, targets, force, factor, time, contacts, internal] = saved.state;
   auto& [increment, previous, before, targets_before, linear_error, quadratic_error, force_scale, work] = saved.path;
   const Eigen::Index dofs = displacement.size(), components = targets.size();
-  from.into(displacement, increment, targets, previous, before, targets_before, force_scale, work, force, factor,
+  from.into(displacement, increment, targets, previous, before, targets_before, force_scale, work, force, factor, time,
             linear_error, quadratic_error, saved.linear);
   require(displacement.size() == dofs && increment.size() == dofs && before.size() == dofs && force.size() == dofs &&
               targets.size() == components && previous.size() == components && targets_before.size() == components,

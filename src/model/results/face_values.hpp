@@ -15,7 +15,7 @@ std::optional<FaceField> face_field(const std::string& name);
 const char* name_of(FaceField field);
 /// True if a contact has it.
 template <int D> bool has(const Contact<D>& contact, FaceField field) {
-  return field == FaceField::pressure || std::holds_alternative<contact::CohesiveLaw>(contact.method);
+  return field == FaceField::pressure || contact.method.bond;
 }
 
 /// The values at the contact points of one of the slave faces, one column per element of this face; 0 at points outside

@@ -29,6 +29,10 @@ template <int D> Profile profile(const Model<D>& model, int contact) {
     result.gap.push_back(gaps[i]);
     result.inside.push_back(inside[i]);
     if (formulation.bonds()) result.damage.push_back(formulation.bonds()->damage(history, i));
+    if (formulation.parameters().by_formula() && !formulation.multipliers()) {
+      result.mu.push_back(point.mu);
+      result.slip.push_back(history.points[i].slipped);
+    }
     const bool is_held = touches(point.state) || point.state == contact::ContactState::bonded;
     append<D>(point.position, {&result.x, &result.y, &result.z});
     result.area.push_back(point.area);
@@ -50,7 +54,7 @@ template <int D>
 contact::ContactArea contact_area(const Model<D>& model, std::size_t contact, const contact::History<D>& history) {
   const Scene<D>& scene = model.system.scene;
   const Contact<D>& own = scene.contacts[contact];
-  const bool reference = std::holds_alternative<contact::MortarLaw>(own.method);
+  const bool reference = own.method.multipliers && own.method.pass == contact::Pass::full;
   return contact::contact_area(*model.system.contacts[contact], history, reference, softer_modulus(scene, own));
 }
 

@@ -6,11 +6,11 @@ namespace signorini::model {
 
 template <int D> void check_changes(const Contact<D>& contact, const contact::Changes& changes) {
   const auto& [active, offset, normal, tangential, friction, overlap] = changes;
-  const contact::PenaltyLaw* law = contact::penalty_law(contact.method);
+  const contact::InterfaceLaw* law = penalty_law(contact);
   require(law || !(offset || normal || tangential || friction), "model.contact.adhesive", {{"contact", contact.name}});
-  const bool cohesive = std::holds_alternative<contact::CohesiveLaw>(contact.method);
-  require(!cohesive || !(active || offset), "model.contact.cohesive", {{"contact", contact.name}});
+  require(!contact.method.bond || !(active || offset), "model.contact.cohesive", {{"contact", contact.name}});
   require(!(tangential || friction) || may_rub(*law), "model.contact.no_friction", {{"contact", contact.name}});
+  require(!friction || !law->coefficient, "model.contact.formula", {{"contact", contact.name}});
   require(overlap == 1 || contact.start.interference, "model.contact.no_interference", {{"contact", contact.name}});
   require(overlap >= 0 && overlap <= 1, "model.contact.overlap", {{"value", overlap}});
   if (law) contact::check(contact::changed(*law, changes));

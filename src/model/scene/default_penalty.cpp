@@ -38,13 +38,14 @@ template <int D> double softer_stiffness(const Scene<D>& scene, const Contact<D>
 
 /// Chooses functions that the softer body can follow: the slave's own if it is not the stiffer body, otherwise linear
 /// ones, each on so many elements that they are not more than the functions of the master.
-template <int D> void choose_multipliers(const Scene<D>& scene, const Contact<D>& contact, contact::MortarLaw& law) {
+template <int D> void choose_multipliers(const Scene<D>& scene, Contact<D>& contact) {
+  auto& multipliers = contact.method.multipliers;
   const bool stiffer = has_stiffer_slave(scene, contact);
-  if (law.multipliers == contact::MultiplierSpace::automatic)
-    law.multipliers = stiffer ? contact::MultiplierSpace::linear : contact::MultiplierSpace::equal;
-  if (law.multipliers != contact::MultiplierSpace::linear || !stiffer) return;
+  if (multipliers == contact::MultiplierSpace::automatic)
+    multipliers = stiffer ? contact::MultiplierSpace::linear : contact::MultiplierSpace::equal;
+  if (multipliers != contact::MultiplierSpace::linear || !stiffer) return;
   const double elements = pitch(scene, std::get<Faces>(contact.master)) / element_size(scene, contact.slave, 2);
-  law.joined = std::max(1, static_cast<int>(std::ceil(elements - 1e-6)));
+  contact.method.unknown.joined = std::max(1, static_cast<int>(std::ceil(elements - 1e-6)));
 }
 
 } // namespace
@@ -56,22 +57,20 @@ template <int D> double default_penalty(const Scene<D>& scene, const Contact<D>&
 
 template <int D> void set_default_penalties(Scene<D>& scene) {
   for (Contact<D>& contact : scene.contacts) {
-    contact::PenaltyLaw* law = contact::penalty_law(contact.method);
+    contact::InterfaceLaw* law = penalty_law(contact);
     if (!law) continue;
     const bool alone = law->enforcement == contact::Enforcement::penalty;
-    auto* mortar = alone ? nullptr : std::get_if<contact::MortarLaw>(&contact.method);
-    if (mortar) {
-      mortar->scale = default_penalty_ratio * softer_stiffness(scene, contact);
-      choose_multipliers(scene, contact, *mortar);
+    if (!alone && contact.method.multipliers) {
+      contact.method.unknown.scale = default_penalty_ratio * softer_stiffness(scene, contact);
+      choose_multipliers(scene, contact);
     }
     if (law->normal == 0) {
       law->normal = alone ? default_penalty(scene, contact) : default_penalty_ratio * softer_stiffness(scene, contact);
       contact.default_penalty = true;
     }
     if (law->tangential == 0 && (!alone || contact::may_rub(*law))) law->tangential = law->normal;
-    auto* bonds = std::get_if<contact::CohesiveLaw>(&contact.method);
-    if (bonds && bonds->cohesion.softening == contact::Softening::bilinear && bonds->cohesion.stiffness == 0)
-      bonds->cohesion.stiffness = law->normal;
+    auto& bond = contact.method.bond;
+    if (bond && bond->softening == contact::Softening::bilinear && bond->stiffness == 0) bond->stiffness = law->normal;
   }
 }
 

@@ -82,8 +82,7 @@ template <int D> struct SceneCheck {
     const int other = contact.other_pass;
     expect(other == -1 ||
                (other >= 0 && other < count && other != number && scene.contacts[other].other_pass == number &&
-                std::holds_alternative<contact::HalfPass>(contact.method) &&
-                std::holds_alternative<Faces>(contact.master)),
+                contact.method.pass == contact::Pass::half && std::holds_alternative<Faces>(contact.master)),
            "a half pass");
   }
 };

@@ -118,14 +118,15 @@ template <int D> struct Contact {
   std::string name;
   Faces slave;
   std::variant<Faces, ObstacleReference> master;
-  contact::Method<D> method;
+  contact::Method method;
   int points; ///< Gauss points per slave element and direction
   contact::Region<D> where = {};
   contact::Start start = {};
-  contact::Region<D> bonded = {}; ///< of a cohesive contact
-  int other_pass = -1;            ///< of a half pass: index of the contact with slave and master swapped
-  bool default_penalty = false;   ///< its penalty is from material and mesh
-  bool adaptive_points = false;   ///< see contact::ContactSetting::adaptive
+  contact::Region<D> bonded = {};          ///< of a cohesive contact
+  int other_pass = -1;                     ///< of a half pass: index of the contact with slave and master swapped
+  bool default_penalty = false;            ///< its penalty is from material and mesh
+  bool adaptive_points = false;            ///< see contact::ContactSetting::adaptive
+  contact::FormulationFactory<D> own = {}; ///< a user-defined formulation, in place of the method
 };
 
 /// Two faces that move as one, see contact/tie/tie.hpp.
@@ -172,11 +173,11 @@ template <int D> bool acts_on(const Contact<D>& contact, int body) {
   return contact.slave.on(body) || (master && master->on(body));
 }
 
-/// Functions of a contact's multipliers; none without.
-template <int D> std::optional<contact::MultiplierSpace> multiplier_space(const Contact<D>& contact) {
-  if (const auto* mortar = std::get_if<contact::MortarLaw>(&contact.method)) return mortar->multipliers;
-  if (const auto* half = std::get_if<contact::HalfPass>(&contact.method)) return half->multipliers;
-  return {};
+/// The law of a contact with a penalty, with the constness of its argument; nullptr for adhesion and user-defined
+/// formulations.
+template <class AnyContact> auto* penalty_law(AnyContact& contact) {
+  auto* law = &contact.method.law;
+  return law->adhesion || contact.own ? nullptr : law;
 }
 
 /// Radius of a ball, a cylinder or a torus; 0 if it is hollow, and of other shapes.

@@ -54,6 +54,14 @@ template <int D> void set_penalty_factor(Model<D>& model, double factor) {
   model.step.reset(); // as for new targets: the present state is not in equilibrium any more
 }
 
+template <int D> void set_time(Model<D>& model, double time) {
+  require(std::isfinite(time) && time >= model.accepted.time, "model.time",
+          {{"time", time}, {"accepted", model.accepted.time}});
+  if (time == model.present.time) return;
+  model.present.time = time;
+  model.step.reset();
+}
+
 template <int D> void set_contact(Model<D>& model, int contact, const contact::Changes& changes) {
   check_changes(model.system.scene.contacts[contact], changes);
   auto& history = model.present.contacts[contact];
@@ -66,7 +74,7 @@ template <int D> bool settled(const Model<D>& model) {
   const State<D>&accepted = model.accepted, &present = model.present;
   const auto same_law = [](const auto& a, const auto& b) { return a.changes == b.changes; };
   return !model.step && present.displacement == accepted.displacement && model.targets == accepted.targets &&
-         present.penalty_factor == accepted.penalty_factor &&
+         present.penalty_factor == accepted.penalty_factor && present.time == accepted.time &&
          std::ranges::equal(present.contacts, accepted.contacts, same_law);
 }
 
@@ -151,6 +159,7 @@ template <int D> void settle(Model<D>& model) {
   template void set_target(Model<D>&, int, int, double);                                                               \
   template double accepted_target(const Model<D>&, int, int);                                                          \
   template void set_penalty_factor(Model<D>&, double);                                                                 \
+  template void set_time(Model<D>&, double);                                                                           \
   template void set_contact(Model<D>&, int, const contact::Changes&);                                                  \
   template bool settled(const Model<D>&);                                                                              \
   template void accept(Model<D>&);                                                                                     \

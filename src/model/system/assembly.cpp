@@ -89,7 +89,7 @@ std::optional<BodyInversion> Assembly<D>::add_bodies_and_evaluate_contacts(const
   std::vector<contact::Trial<D>> trials;
   for (std::size_t k = 0; k < contacts_.size(); ++k) {
     trials.push_back({present.contacts[k], accepted.contacts[k], controls[k], present.penalty_factor,
-                      present.displacement.data() + unknowns_.of_contact(k).extra});
+                      present.displacement.data() + unknowns_.of_contact(k).extra, present.time - accepted.time});
     for (int part = 0; part < contacts_[k]->parts(); ++part) contact_tasks.push_back({k, part});
   }
   const auto add_heads = [&](std::size_t contacts) {

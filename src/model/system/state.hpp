@@ -11,6 +11,7 @@ template <int D> struct State {
   VectorX targets;           ///< of the prescribed displacements (Drives)
   VectorX force;             ///< f_int + f_c of all degrees of freedom in the last evaluation
   double penalty_factor = 1; ///< on all penalty parameters
+  double time = 0;           ///< of stages with a duration
   std::vector<contact::History<D>> contacts;
   std::vector<std::vector<double>> internal; ///< internal variables of the materials, by body; empty without any
 };

@@ -47,11 +47,18 @@ template <int D> contact::Master<D> master_of(const Scene<D>& scene, const Conta
 
 template <int D> contact::Formulations<D> make_contacts(const Scene<D>& scene) {
   contact::Formulations<D> contacts;
-  for (const Contact<D>& contact : scene.contacts)
-    contacts.push_back(contact::make_formulation<D>(
-        contact.method, {surface_of(scene, contact.slave), master_of(scene, contact), contact.points,
-                         scene.kind == solid::Kind::axisymmetric, contact.where, contact.start, contact.bonded,
-                         contact.adaptive_points}));
+  for (const Contact<D>& contact : scene.contacts) {
+    contact::ContactSetting<D> setting{surface_of(scene, contact.slave),
+                                       master_of(scene, contact),
+                                       contact.points,
+                                       scene.kind == solid::Kind::axisymmetric,
+                                       contact.where,
+                                       contact.start,
+                                       contact.bonded,
+                                       contact.adaptive_points};
+    contacts.push_back(contact.own ? contact.own(std::move(setting))
+                                   : contact::make_formulation<D>(contact.method, std::move(setting)));
+  }
   return contacts;
 }
 
@@ -84,7 +91,7 @@ System<D>::System(Scene<D> given)
 }
 
 template <int D> State<D> System<D>::start() const {
-  State<D> state{VectorX::Zero(unknowns.dofs()), drives.start(), VectorX::Zero(unknowns.dofs()), 1, {}, {}};
+  State<D> state{VectorX::Zero(unknowns.dofs()), drives.start(), VectorX::Zero(unknowns.dofs()), 1, 0, {}, {}};
   for (const auto& contact : contacts) state.contacts.push_back(initial_history(*contact));
   for (const auto& named : scene.bodies) state.internal.push_back(solid::initial_values(*named.body));
   return state;

@@ -34,7 +34,7 @@ template <class Result> void add_spring(SpringSums& sum, const Result& one, doub
   if (one.state == contact::ContactState::stick) sum.slip += force * slip;
 }
 
-template <int D> SpringSums springs_of(const contact::History<D>& history, const contact::PenaltyLaw& law) {
+template <int D> SpringSums springs_of(const contact::History<D>& history, const contact::InterfaceLaw& law) {
   SpringSums sum;
   const bool solved = law.enforcement == contact::Enforcement::multipliers; // without springs
   for (const auto& multiplier : history.multiplier_results) add_spring(sum, multiplier, multiplier.elastic.norm());
@@ -57,8 +57,8 @@ template <int D> void warn_of_springs(const Model<D>& model, int index, std::vec
   const Scene<D>& scene = model.system.scene;
   const contact::History<D>& history = model.present.contacts[index];
   const Contact<D>& contact = scene.contacts[index];
-  const contact::PenaltyLaw law = contact::scaled(
-      contact::changed(*contact::penalty_law(contact.method), history.changes), model.present.penalty_factor);
+  const contact::InterfaceLaw law =
+      contact::scaled(contact::changed(*penalty_law(contact), history.changes), model.present.penalty_factor);
   const SpringSums sum = springs_of(history, law);
   if (sum.force <= 0) return;
   const double modulus = youngs_modulus(scene, contact.slave), stiffness = model.system.stiffness[index];
@@ -127,10 +127,8 @@ template <int D> void warn_of_soft_penalties(const Model<D>& model, std::vector<
   for (int k = 0; k < std::ssize(model.system.scene.contacts); ++k) {
     const Contact<D>& contact = model.system.scene.contacts[k];
     const bool second_pass = contact.other_pass >= 0 && contact.other_pass < k;
-    if (contact::penalty_law(contact.method) && !std::holds_alternative<contact::CohesiveLaw>(contact.method) &&
-        !second_pass)
-      warn_of_springs(model, k, warnings);
-    if (const auto* law = std::get_if<contact::Adhesion>(&contact.method))
+    if (penalty_law(contact) && !contact.method.bond && !second_pass) warn_of_springs(model, k, warnings);
+    if (const auto& law = contact.method.law.adhesion)
       warn_of_adhesion(contact.name, *law, contact::resultant(model.present.contacts[k]).max_penetration, warnings);
   }
 }

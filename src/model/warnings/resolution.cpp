@@ -24,14 +24,10 @@ struct PressureSpace {
 template <int D> std::optional<PressureSpace> pressure_space(const Model<D>& model, int index) {
   const contact::Formulation<D>& formulation = *model.system.contacts[index];
   const Contact<D>& contact = model.system.scene.contacts[index];
-  if (!contact::penalty_law(contact.method) || std::holds_alternative<contact::CohesiveLaw>(contact.method))
-    return std::nullopt;
-  const auto multipliers = multiplier_space(contact);
+  const auto& [law, multipliers, pass, bond, unknown] = contact.method;
+  if (!penalty_law(contact) || bond) return std::nullopt;
   PressureSpace space{!multipliers, multipliers == contact::MultiplierSpace::reduced};
-  if (multipliers == contact::MultiplierSpace::linear) {
-    const auto* mortar = std::get_if<contact::MortarLaw>(&contact.method);
-    space.functions = 1.0 / (mortar ? mortar->joined : 1);
-  }
+  if (multipliers == contact::MultiplierSpace::linear) space.functions = 1.0 / unknown.joined;
   space.stiffness = model.system.stiffness[index];
   space.ratio = model.present.penalty_factor * formulation.parameters().penalty(model.present.contacts[index].changes) /
                 space.stiffness;

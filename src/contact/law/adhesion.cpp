@@ -1,7 +1,8 @@
-#include "contact/point/adhesion.hpp"
+#include "contact/law/adhesion.hpp"
 
 #include "base/error.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -52,25 +53,5 @@ double potential(const Adhesion& law, double r) {
   const double outside = strength(law) * law.distance * (q2 * q2 * q2 * q2 / 360 - q2 / 6);
   return r < nearest ? outside - slope(law, nearest) * (r - nearest) * (r - nearest) / 2 : outside;
 }
-
-template <int D> void adhesion_force(const Adhesion& law, const LocalGeometry<D>& geometry, LocalForce<D>& result) {
-  const GapRows<D> rows = gap_rows(geometry, result.shift);
-  result.state = geometry.gap < strongest_distance(law) ? ContactState::adhesion : ContactState::open;
-  result.pressure = traction(law, geometry.gap);
-  result.potential = potential(law, geometry.gap);
-  result.friction.setZero();
-  result.measure = geometry.reference_measure;
-  result.stretch = 1; // results are per reference area, as the law
-  LocalRow<D> measure_row = LocalRow<D>::Zero();
-  fade_area(geometry, result.shift, result.measure, measure_row);
-  // T n̄ dA,  δ(T n̄) = T′ δg n̄ + T δn̄
-  result.force = result.measure * result.pressure * geometry.normal;
-  result.tangent = result.measure * result.pressure * rows.normal;
-  result.tangent.noalias() += (result.pressure * geometry.normal) * measure_row;
-  result.tangent.noalias() += (result.measure * stiffness(law, geometry.gap) * geometry.normal) * rows.gap;
-}
-
-template void adhesion_force<2>(const Adhesion&, const LocalGeometry<2>&, LocalForce<2>&);
-template void adhesion_force<3>(const Adhesion&, const LocalGeometry<3>&, LocalForce<3>&);
 
 } // namespace signorini::contact

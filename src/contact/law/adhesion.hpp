@@ -1,7 +1,5 @@
 #pragma once
-// Van der Waals adhesion at one contact point, with its consistent tangent [theory 9.2].
-
-#include "contact/point/local.hpp"
+// Van der Waals adhesion at one contact point: traction over distance [theory 9.2].
 
 namespace signorini::contact {
 
@@ -25,8 +23,5 @@ double traction(const Adhesion& law, double r);
 double potential(const Adhesion& law, double r);
 /// T′(r).
 double stiffness(const Adhesion& law, double r);
-
-/// Evaluates the law at a point with any gap.
-template <int D> void adhesion_force(const Adhesion& law, const LocalGeometry<D>& geometry, LocalForce<D>& result);
 
 } // namespace signorini::contact

@@ -1,0 +1,83 @@
+#pragma once
+// Law of an interface: the traction between two faces as a function of their gap and of the slip of a step
+// [theory 5.3]. The pressure follows from the gap, by a penalty or by adhesion; friction from the pressure and the slip
+// (slide.hpp).
+
+#include "contact/law/adhesion.hpp"
+#include "contact/law/changes.hpp"
+#include "contact/law/friction_formula.hpp"
+#include "contact/law/state.hpp"
+
+#include <limits>
+
+namespace signorini::contact {
+
+/// The slave's area on which the tractions of a law act.
+enum class TractionArea : unsigned char { current, reference };
+
+/// How the contact conditions are enforced: by a penalty, or with Lagrange multipliers as unknowns (mortar contact).
+enum class Enforcement : unsigned char { penalty, multipliers };
+
+/// Penalty parameters are pressure per length. Those of a scene may be 0, which stands for values from material and
+/// mesh. With multipliers as unknowns they weigh gaps and slips that the multipliers do not see.
+struct InterfaceLaw {
+  double normal;                            ///< ε_N > 0; 0 with adhesion
+  double tangential = 0;                    ///< ε_T, used when friction > 0
+  double friction = 0;                      ///< Coulomb's μ ≥ 0; 1 if it is a formula
+  TractionArea per = TractionArea::current; ///< reference, without friction: the forces derive from an energy
+  Enforcement enforcement = Enforcement::penalty;
+  bool frictional = false;               ///< μ may change along the path, also if it is 0
+  std::optional<Adhesion> adhesion = {}; ///< in place of the penalty: acts at any gap, without friction
+  std::shared_ptr<const FrictionFormula> coefficient = {}; ///< in place of μ
+};
+
+/// Adhesion acts on the reference area.
+inline InterfaceLaw adhesive(const Adhesion& law) {
+  return {.normal = 0, .per = TractionArea::reference, .adhesion = law};
+}
+
+/// True if friction acts or may act later.
+inline bool may_rub(const InterfaceLaw& law) {
+  return law.frictional || law.friction > 0;
+}
+/// The law with the constants that a path has changed.
+InterfaceLaw changed(InterfaceLaw law, const Changes& changes);
+
+/// Throws Error if a constant is invalid.
+void check(const InterfaceLaw& law);
+/// The law with its penalty parameters times a factor.
+InterfaceLaw scaled(InterfaceLaw law, double factor);
+
+/// Pressure p at a gap g that closes the point, with p′(g) and the energy per area.
+struct GapResponse {
+  double pressure, rate, potential;
+};
+inline GapResponse respond(const InterfaceLaw& law, double gap) {
+  if (law.adhesion) return {traction(*law.adhesion, gap), stiffness(*law.adhesion, gap), potential(*law.adhesion, gap)};
+  // p = −ε_N g,  ε_N g²/2
+  return {-law.normal * gap, -law.normal, 0.5 * law.normal * gap * gap};
+}
+/// The gap below which the law acts.
+inline double reach(const InterfaceLaw& law) {
+  return law.adhesion ? std::numeric_limits<double>::infinity() : 0;
+}
+/// State of a point on which the law acts, without friction.
+inline ContactState state_of(const InterfaceLaw& law, double gap) {
+  if (!law.adhesion) return ContactState::stick;
+  return gap < strongest_distance(*law.adhesion) ? ContactState::adhesion : ContactState::open;
+}
+/// The largest derivative of tractions with respect to gap or slip at a point, by its sign that of p′(g).
+double stiffness(const InterfaceLaw& law, double gap);
+
+/// μ at a pressure and a slip of the step; a formula below 0 counts as 0.
+inline Coefficient coefficient(const InterfaceLaw& law, double pressure, double slip, const Rubbing& at) {
+  if (!law.coefficient) return {law.friction, 0, 0};
+  const Coefficient found = (*law.coefficient)(pressure, slip, at);
+  return found.value < 0 ? Coefficient{0, 0, 0} : found;
+}
+
+/// The friction from which a point slips in a step, times its area: Coulomb's limit in the accepted state or, where a
+/// path has lowered μ, the friction `held` there, if it exceeds the lower limit.
+double limit_before(double limit, double mu_before, double mu, double held);
+
+} // namespace signorini::contact

@@ -1,0 +1,160 @@
+-- Coefficients of friction that are formulas: a block that is dragged over a plane, in every formulation; durations of
+-- stages; checkpoints; what is refused.
+
+require "check"
+
+local function block(mu, keys)
+  local body = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 0.5 }, elements = {4, 2}, order = "N2",
+                        contact = "south", material = sg.neo_hookean{ E = 100, nu = 0.3 } }
+  local contact = { slave = body:face "south", master = scenes.floor(0), penalty = 1e4,
+                    friction = { mu = mu, penalty = 1e4 } }
+  for key, value in pairs(keys or {}) do contact[key] = value end
+  return sg.model{ bodies = { block = body }, supports = { top = { on = body:face "north", drive = "xy" } },
+                   contacts = { floor = contact } }
+end
+
+local press = { name = "press", steps = 2, top = {0, -0.005}, duration = 1 }
+local slide = { name = "slide", steps = 10, top = {0.1, -0.005}, duration = 2 }
+local formulations = { points = {}, mortar = { method = "mortar" },
+                       multipliers = { method = "mortar", enforcement = "multipliers" } }
+
+-- ── Friction at each point, for each argument ────────────────────────────────────────────────────────────────────────
+
+local laws = {
+  number = { 0.3, function() return 0.3 end },
+  pressure = { function(p) return 0.1 + 0.2 * sg.exp(-p) end, function(p) return 0.1 + 0.2 * math.exp(-p) end },
+  place = { function(_, _, _, X) return 0.2 + 0.1 * X end, function(_, _, X) return 0.2 + 0.1 * X end },
+  slip = { function(_, _, slip) return 0.3 + 0.1 * slip end, function(_, slip) return 0.3 + 0.1 * slip end },
+}
+for name, law in pairs(laws) do
+  for _, formulation in ipairs { "points", "multipliers" } do
+    check.case(("friction by %s, %s"):format(name, formulation), function()
+      local model = block(law[1], formulations[formulation])
+      local run = model:run({ press, slide })
+      check.equal(run.reason, "completed")
+      local profile = model:profile "floor"
+      local slipping = 0
+      for i, pressure in ipairs(profile.pressure) do
+        if profile.state[i] == "slip" then
+          slipping = slipping + 1
+          local mu = law[2](pressure, name == "slip" and profile.slip[i] or 0, profile.X[i])
+          check.near(math.abs(profile.traction[i]), mu * pressure, 1e-10 * pressure)
+        end
+      end
+      check.equal(slipping > 25, true)
+    end)
+  end
+end
+
+check.case("friction by the rate of slip in steady sliding: all points slip with the velocity of the block", function()
+  local velocity = 0.1 / slide.duration
+  local mu = 0.3 + 0.1 * math.exp(-velocity / 0.2)
+  for name, keys in pairs(formulations) do
+    local model = block(function(_, v) return 0.3 + 0.1 * sg.exp(-v / 0.2) end, keys)
+    check.equal(model:run({ press, slide }).reason, "completed")
+    local force = model:contact_resultant "floor"
+    check.near(-force.fx / force.fy, mu, name == "points" and 1e-6 or 1e-5)
+    check.near(model:time(), 3, 1e-12)
+  end
+end)
+
+check.case("static and kinetic friction: the force falls as the slip since sticking grows", function()
+  local model = block({ static = 0.4, kinetic = 0.2, over = 0.01 })
+  local run = model:run({ { name = "press", steps = 2, top = {0, -0.005} },
+                          { name = "slide", steps = 40, top = {0.1, -0.005} } })
+  local fx, fy, largest = run:column "floor.fx", run:column "floor.fy", 0
+  for row = 3, #fx do largest = math.max(largest, -fx[row] / fy[row]) end
+  check.equal(largest > 0.3 and largest < 0.4, true)
+  check.near(-fx[#fx] / fy[#fx], 0.2 + 0.2 * math.exp(-0.09 / 0.01), 1e-4)
+  local profile = model:profile "floor"
+  for i = 1, #profile.mu do check.near(profile.mu[i], 0.2, 1e-3) end
+  -- Turned back, points stick for a step, and begin to slip at the static coefficient.
+  model:run({ { name = "back", steps = 2, top = {0.0999, -0.005} } })
+  local stuck = 0
+  for i, state in ipairs(model:profile "floor".state) do
+    if state == "stick" then
+      stuck = stuck + 1
+      check.near(model:profile "floor".mu[i], 0.4, 1e-12)
+    end
+  end
+  check.equal(stuck > 20, true)
+end)
+
+check.case("work and dissipation balance", function()
+  for _, keys in pairs(formulations) do
+    local model = block({ static = 0.4, kinetic = 0.2, over = 0.05 }, keys)
+    model:run({ { name = "press", steps = 4, top = {0, -0.005} },
+                { name = "slide", steps = 80, top = {0.1, -0.005} } })
+    local energy = model:energy()
+    local rest = energy.work - energy.stored - energy.contact - energy.friction - energy.area_growth
+    check.at_most("the balance", rest / energy.work, 5e-3)
+  end
+end)
+
+-- ── Time ─────────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+check.case("time: column of a run, roll-back, cut steps, continuation", function()
+  local mu = function(_, v) return 0.3 + 0.1 * sg.exp(-v / 0.2) end
+  local model = block(mu)
+  local run = model:run({ press, slide })
+  local times = { 0.5, 1, 1.2, 1.4, 1.6, 1.8, 2, 2.2, 2.4, 2.6, 2.8, 3 }
+  for row, time in ipairs(run:column "time") do check.near(time, times[row], 1e-12) end
+  model:set_time(4)
+  model:rollback()
+  check.near(model:time(), 3, 1e-12)
+  local other = block(mu)
+  local rest = { { name = "slide", steps = 5, top = {0.1, -0.005}, duration = 1 } }
+  other:run({ press, { name = "slide", steps = 5, top = {0.05, -0.005}, duration = 1 } })
+  other:run(rest)
+  check.near(other:contact_resultant "floor".fx, model:contact_resultant "floor".fx, 1e-6)
+  check.near(other:time(), 3, 1e-12)
+end)
+
+check.case("a saved model has formula, slips and time", function()
+  local model = block(function(p, v, slip) return 0.2 + 0.01 * p + 0.05 * v + 0.3 * slip end)
+  model:run({ press, slide })
+  local loaded = check.reloaded(model)
+  check.equal(loaded:contact_law "floor".mu_formula, model:contact_law "floor".mu_formula)
+  check.equal(loaded:time(), model:time())
+  check.equal(loaded:profile "floor".mu, model:profile "floor".mu)
+  check.equal(loaded:profile "floor".slip, model:profile "floor".slip)
+  local on = { { name = "on", steps = 2, top = {0.12, -0.005}, duration = 0.4 } }
+  model:run(on)
+  loaded:run(on)
+  check.equal(loaded:contact_resultant "floor".fx, model:contact_resultant "floor".fx)
+end)
+
+-- ── Warnings and errors ──────────────────────────────────────────────────────────────────────────────────────────────
+
+check.case("a warning where friction jumps or mu is negative, and none otherwise", function()
+  local path = { { name = "press", steps = 2, top = {0, -0.005} }, { name = "slide", steps = 4, top = {0.01, -0.005} } }
+  local function warned(mu, word)
+    return lists.any(block(mu):run(path).warnings, function(text) return text:find(word, 1, true) ~= nil end)
+  end
+  check.equal(warned({ static = 0.4, kinetic = 0.2, over = 1e-6 }, "friction jumps"), true)
+  check.equal(warned({ static = 0.4, kinetic = 0.2, over = 0.05 }, "friction jumps"), false)
+  check.equal(warned(function(p) return 0.1 - p end, "the formula of mu is negative"), true)
+  check.equal(warned(function(p) return 0.1 + p * 0.01 end, "negative"), false)
+end)
+
+check.case("what is refused", function()
+  local function refused(mu, keys, path, options, ...)
+    check.fails(function() block(mu, keys):run(path or { press }, options) end, ...)
+  end
+  local function rate(_, v) return 0.1 + v end
+  refused(rate, {}, { { name = "slide", steps = 1, top = {0.1, 0} } }, {}, "model:run: contacts.floor.friction.mu "
+    .. "depends on v, but stage 'slide' has no duration. Hint: write duration = its length in time")
+  refused(0.1, {}, nil, { arc_length = true }, "stages[1] has a duration, but arc_length = true")
+  refused(function() return 0.3 end, {}, nil, nil,
+    "contacts.floor.friction.mu must return a formula of its arguments, got the number 0.3")
+  refused(function() end, {}, nil, nil, "write return before the formula")
+  refused(function(a, b, c, d, e, f, g) return a + b + c + d + e + f + g end, {}, nil, nil,
+    "contacts.floor.friction.mu must take 6 arguments")
+  refused({ static = 0.2, kinetic = 0.3, over = 1 }, {}, nil, nil, "static = 0.2 is less than kinetic = 0.3")
+  refused(function(p) return 0.1 + p end, {}, { { steps = 1, contacts = { floor = { friction = { mu = 0 } } } } }, nil,
+    "the mu of contacts.floor is a formula")
+  refused(rate, { points = "auto" }, nil, nil, 'contacts.floor.points is "auto", but friction.mu depends on v')
+  local model = block(0.1)
+  model:run { press }
+  check.fails(function() model:set_time(0.5) end, "the time 0.5 is not one at or after that of the accepted state, 1")
+end)
