@@ -48,7 +48,7 @@ template <int N> void slides() {
   for (const Formula formula : formulas)
     for (int trial = 0; trial < 60; ++trial) {
       const InterfaceLaw law = with(formula);
-      const Rubbing at{duration,
+      const Interface at{duration,
                        uniform(random, 0, 0.5),
                        uniform(random, 0, 0.1),
                        {uniform(random, 0, 2), uniform(random, 0, 2), 0}};
@@ -96,7 +96,7 @@ TEST(FrictionFormula, AJumpIsReported) {
   const InterfaceLaw law = with([](const Term&, const Term&, const Term& slip, const Term&, const Term&) {
     return 0.4 * power(1000 * slip + 1, -1) + 0.1;
   });
-  const Rubbing at{};
+  const Interface at{};
   const Slide<1> found = slide<1>(law, Vec<1>(2.55), 5, FixedContactState::free, 0, at);
   EXPECT_EQ(found.state, ContactState::slip);
   EXPECT_EQ(found.flaw, FrictionFlaw::jumps);
@@ -113,7 +113,7 @@ TEST(FrictionFormula, DissipatesAlongRandomPaths) {
   Random random(8);
   for (int path = 0; path < 10000; ++path) {
     const InterfaceLaw law = with(formulas[path % std::ssize(formulas)]);
-    Rubbing at{duration};
+    Interface at{duration};
     Vec<2> elastic = Vec<2>::Zero();
     for (int step = 0; step < 5; ++step) {
       const Vec<2> move = random_vector<2>(random, 0.05);

@@ -34,6 +34,9 @@ inline Term operator*(double a, const Term& b) {
 inline Term power(const Term& a, double exponent) {
   return {a.graph, a.graph->power(a.node, exponent)};
 }
+inline Term absolute(const Term& a) {
+  return {a.graph, a.graph->apply(symbolic::Operation::abs, a.node)};
+}
 inline Term cosine(const Term& a) {
   return {a.graph, a.graph->apply(symbolic::Operation::cos, a.node)};
 }

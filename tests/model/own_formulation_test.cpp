@@ -200,7 +200,7 @@ TEST(OwnFormulation, TangentIsTheResidualsDerivative) {
 
 TEST(OwnFormulation, CannotBeSaved) {
   Model<2> model(blocks(solid::neo_hookean(1, 0.3), 2));
-  EXPECT_ERROR(content(model, snapshot(model)), "contact.archive.own_formulation");
+  EXPECT_ERROR(content(model, snapshot(model)), "model.archive.own_formulation");
 }
 
 } // namespace own_formulation_test

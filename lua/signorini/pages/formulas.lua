@@ -9,6 +9,13 @@ local function page(name, text, example)
            arguments = x, returns = t.either(t.number, t.object "symbol"), example = example }
 end
 
+local pair = { { "a", x[1][2], "" }, { "b", x[1][2], "" } }
+
+local function extreme(name, text, example)
+  return { "sg." .. name, ("Returns the %s of two numbers, or the formula of it if one is a symbol."):format(text),
+           arguments = pair, returns = t.either(t.number, t.object "symbol"), example = example }
+end
+
 return {
   title = "Formulas", word = "formulas",
   { "symbol", [[An argument of a function that is called once to read its formula, as in sg.hyperelastic; numbers and
@@ -24,4 +31,6 @@ symbols combine to formulas with + - * / ^ and the functions below. print(symbol
   page("cosh", "the hyperbolic cosine", "sg.cosh(0)  --> 1.0"),
   page("tanh", "the hyperbolic tangent", "sg.tanh(0)  --> 0.0"),
   page("abs", "the absolute value", "sg.abs(-2)  --> 2.0"),
+  extreme("max", "greater one", "sg.max(1, 2)  --> 2.0"),
+  extreme("min", "lesser one", "sg.min(1, 2)  --> 1.0"),
 }

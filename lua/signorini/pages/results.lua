@@ -90,14 +90,15 @@ as far as its support frees them, and its angle if that is free. Empty for other
   { "model:contact_law", [[Returns the constants of a contact: { method, enforcement, per, points, penalty,
 default_penalty, active, offset }, as given to sg.model or by default, in the present state; default_penalty is true
 where the penalty is from material and mesh. With friction also mu, friction_penalty, with a formula of it mu_formula,
-its text, and of_rate, whether it depends on v, in place of mu; with overlap = "interference" overlap, the fraction of
-the initial overlap that is still allowed; with method = "mortar" multipliers; of a cohesive contact strength, energy,
-law, stiffness, and bonded, the number of points with a bond; with adhesion { method, per, points, active, hamaker, r0
-}. print(model) shows them.]],
+its text, and of_rate, whether it depends on v, in place of mu; with a formula of the pressure pressure, its text, and
+clearance, in place of penalty; with overlap = "interference" overlap, the fraction of the initial overlap that is
+still allowed; with method = "mortar" multipliers; of a cohesive contact strength, energy, law, stiffness, and bonded,
+the number of points with a bond; with adhesion { method, per, points, active, hamaker, r0 }. print(model) shows
+them.]],
     arguments = { a_contact },
-    returns = t.record("method per", t.text, "enforcement? multipliers? law? mu_formula?", t.text,
+    returns = t.record("method per", t.text, "enforcement? multipliers? law? mu_formula? pressure?", t.text,
       "points bonded?", t.count,
-      "penalty? mu? friction_penalty? hamaker? r0? strength? energy? stiffness? offset? overlap?", t.number,
+      "penalty? mu? friction_penalty? hamaker? r0? strength? energy? stiffness? offset? overlap? clearance?", t.number,
       "active default_penalty? of_rate?", t.flag),
     example = "model:contact_law(\"interface\").penalty" },
   { "model:contact_resultant", [[Returns { fx, fy, fz, area, max_pressure, mean_pressure, max_penetration, active,

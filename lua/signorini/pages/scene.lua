@@ -40,10 +40,17 @@ penalty over-constrains the face. Mortar contact needs 8 ("reduced": 6) at any p
 penalty decreases: model:contact_resultant(name).max_penetration. With enforcement = "multipliers" it affects
 results by the discretization error alone; it is then 10 E / h by default, h of the softer body]],
     unit = "pressure per length", otherwise = "from material and mesh" },
+  { "pressure", t.callback, [[function(g, X, Y, Z) (those that it needs) that returns a formula, help "formulas",
+of the gap g and the reference position of the slave point, in place of the penalty: the pressure below `clearance`,
+which falls to 0 there as the gap grows. Soft layers and rough faces have p = k (-g)^m; sg.max(0, …) cuts a formula
+off. Where it pulls, at p < 0, it is adhesion, with per = "reference". For enforcement = "penalty"]],
+    unit = "force per area", optional = true },
+  { "clearance", t.either(t.number, t.choice { "none" }), 'gap below which `pressure` acts; "none": at any gap',
+    unit = "length", otherwise = "0" },
   { "friction", t.named {
     rows.coefficient,
     { "penalty", t.positive, "tangential penalty, stiffness of elastic slip", unit = "pressure per length",
-      otherwise = "that of the contact" },
+      otherwise = "that of the contact, with `pressure` 30 E / h" },
   }, "Coulomb friction", otherwise = "none" },
   { "method", t.choice { "gpts", "mortar", "half_passes" }, [[gpts: Gauss-point-to-surface, penalty at the contact
 points. mortar: penalty on gaps and slips that are weighted by functions on the slave face (multipliers); a high penalty
@@ -120,9 +127,22 @@ local function conflict_of_adhesion(values)
   end
 end
 
+local function conflict_of_pressure(values)
+  for _, other in ipairs { "penalty", "adhesion", "cohesive" } do
+    if values[other] then
+      return ("it has both pressure and %s, but the formula is the whole law of the gap: remove one of the two"):format(
+        other)
+    end
+  end
+  if values.enforcement ~= "penalty" then
+    return 'it has pressure and enforcement = "multipliers", but multipliers have no law of the pressure: remove one'
+  end
+end
+
 contact.conflict = function(values)
+  if values.clearance and not values.pressure then return "it has clearance without pressure, which alone knows it" end
   local wrong = values.cohesive and rows.conflict_of_cohesive(values)
-    or values.adhesion and conflict_of_adhesion(values)
+    or values.adhesion and conflict_of_adhesion(values) or values.pressure and conflict_of_pressure(values)
   if wrong then return wrong end
   if values.method == "half_passes" and require("signorini.pages").kind(values.master) == "obstacle" then
     return 'method = "half_passes" needs a face of a body as the master, since an obstacle has no contact points: '

@@ -90,4 +90,11 @@ function formula.friction(name, mu)
   return formula_of("sg.model", name, mu, given)
 end
 
+--- The formula of a pressure.
+function formula.pressure(name, f)
+  local symbols = core.symbols { "g", "X", "Y", "Z" }
+  check_parameters("sg.model", name, f, symbols, true, "write function(g) or function(g, X, Y, Z)")
+  return formula_of("sg.model", name, f, symbols)
+end
+
 return formula

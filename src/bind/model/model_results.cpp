@@ -8,6 +8,7 @@
 #include "model/steps/linear_solution.hpp"
 #include "solve/factor_estimate.hpp"
 
+#include <cmath>
 #include <set>
 
 namespace signorini::bind {
@@ -87,7 +88,12 @@ template <int D> int contact_law(const model::Model<D>& model, const std::string
   if (multipliers && !half) set_field(L, "multipliers", name_of(*multipliers));
   const contact::InterfaceLaw law = contact::changed(named.method.law, history.changes);
   set_fields(L, "offset", formulation.parameters().offset(history.changes), "enforcement", name_of(law.enforcement),
-             "penalty", law.normal, "default_penalty", named.default_penalty && !history.changes.normal);
+             "default_penalty", named.default_penalty && !history.changes.normal);
+  if (law.pressure) {
+    set_field(L, "pressure", contact::text_of(*law.pressure));
+    if (std::isfinite(law.pressure->clearance)) set_field(L, "clearance", law.pressure->clearance);
+  } else
+    set_field(L, "penalty", law.normal);
   if (named.start.interference) set_field(L, "overlap", history.changes.overlap);
   if (contact::may_rub(law)) set_field(L, "friction_penalty", law.tangential);
   if (const auto& formula = law.coefficient)

@@ -5,6 +5,7 @@
 #include "bind/scene/symbols.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace signorini::bind {
 
@@ -54,24 +55,29 @@ contact::Cohesion read_cohesion(const Arguments& a, double penalty) {
   return cohesion;
 }
 
-/// μ: a number, or what signorini.scene.formula makes of a function or of a table.
+/// A formula that a function of signorini.scene.formula makes of an argument.
+const Symbol& read_formula(const Arguments& a, const char* key, const char* maker) {
+  lua_State* L = a.state();
+  push_require(L);
+  lua_pushliteral(L, "signorini.scene.formula");
+  lua_call(L, 1, 1);
+  lua_getfield(L, -1, maker);
+  push(L, a.name(key));
+  a.push(key);
+  lua_call(L, 2, 1);
+  return read_object<Symbol>(L, -1, {"a formula"});
+}
+
+/// μ: a number, or a formula.
 void read_coefficient(const Arguments& friction, contact::InterfaceLaw& law) {
   law.frictional = true;
   if (friction.is("mu", LUA_TNUMBER)) {
     law.friction = friction.get<double>("mu");
     return;
   }
-  lua_State* L = friction.state();
-  push_require(L);
-  lua_pushliteral(L, "signorini.scene.formula");
-  lua_call(L, 1, 1);
-  lua_getfield(L, -1, "friction");
-  push(L, friction.name("mu"));
-  friction.push("mu");
-  lua_call(L, 2, 1);
-  const auto& symbol = read_object<Symbol>(L, -1, {"the coefficient of friction"});
+  const Symbol& mu = read_formula(friction, "mu", "friction");
   law.friction = 1;
-  law.coefficient = contact::make_friction_formula({*symbol.graph, symbol.node});
+  law.coefficient = contact::make_friction_formula({*mu.graph, mu.node});
 }
 
 contact::Method read_method(const Arguments& a) {
@@ -80,6 +86,12 @@ contact::Method read_method(const Arguments& a) {
     return contact::adhesive({adhesion.get<double>("hamaker"), adhesion.get<double>("r0")});
   }
   contact::InterfaceLaw law{a.get("penalty", 0.0)};
+  if (a.has("pressure")) {
+    const Symbol& pressure = read_formula(a, "pressure", "pressure");
+    const double clearance =
+        a.is("clearance", LUA_TSTRING) ? std::numeric_limits<double>::infinity() : a.get("clearance", 0.0);
+    law.pressure = contact::make_pressure_formula({*pressure.graph, pressure.node}, clearance);
+  }
   if (a.has("friction")) {
     const Arguments friction = a.table("friction");
     read_coefficient(friction, law);

@@ -3,6 +3,7 @@
 #include "bind/lua/functions.hpp"
 #include "bind/lua/open.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace signorini::bind {
@@ -43,8 +44,9 @@ int negative(lua_State* L) {
 int refuse_comparison(lua_State*) {
   throw ArgumentError(
       "a symbol has no value that could be compared: the function is called once, with symbols, to read "
-      "its formula, which must hold everywhere. Hint: write one formula without if, and, or; the "
-      "greater one of a and b, with a corner of radius about r, is (a + b + sg.sqrt((a - b)^2 + r^2))/2");
+      "its formula, which must hold everywhere. Hint: write one formula without if, and, or; sg.max(a, b) is the "
+      "greater "
+      "one of two, and with a corner of radius about r (a + b + sg.sqrt((a - b)^2 + r^2))/2");
 }
 
 std::string symbol_text(const Symbol& symbol) {
@@ -58,6 +60,20 @@ template <Operation function> int apply(lua_State* L) {
   else
     push(L, symbolic::value_of(function, lua_tonumber(L, 1)));
   return 1;
+}
+
+/// max, or min with sign −1: (a + b ± |a − b|)/2
+template <int sign> int extreme(lua_State* L) {
+  if (!test_object<Symbol>(L, 1) && !test_object<Symbol>(L, 2)) {
+    const double a = lua_tonumber(L, 1), b = lua_tonumber(L, 2);
+    push(L, sign > 0 ? std::max(a, b) : std::min(a, b));
+    return 1;
+  }
+  return combine<[](Graph& graph, int a, int b) {
+    const int apart = graph.apply(Operation::abs, graph.subtract(a, b));
+    const int sum = graph.add(graph.add(a, b), graph.multiply(graph.constant(sign), apart));
+    return graph.multiply(graph.constant(0.5), sum);
+  }>(L);
 }
 
 int root(lua_State* L) {
@@ -88,10 +104,19 @@ int symbols(lua_State* L) {
 }
 
 constexpr Function symbol_functions[] = {
-    {"log", apply<Operation::log>},   {"exp", apply<Operation::exp>},   {"sqrt", root},
-    {"sin", apply<Operation::sin>},   {"cos", apply<Operation::cos>},   {"tan", apply<Operation::tan>},
-    {"atan", apply<Operation::atan>}, {"sinh", apply<Operation::sinh>}, {"cosh", apply<Operation::cosh>},
-    {"tanh", apply<Operation::tanh>}, {"abs", apply<Operation::abs>},
+    {"log", apply<Operation::log>},
+    {"exp", apply<Operation::exp>},
+    {"sqrt", root},
+    {"sin", apply<Operation::sin>},
+    {"cos", apply<Operation::cos>},
+    {"tan", apply<Operation::tan>},
+    {"atan", apply<Operation::atan>},
+    {"sinh", apply<Operation::sinh>},
+    {"cosh", apply<Operation::cosh>},
+    {"tanh", apply<Operation::tanh>},
+    {"abs", apply<Operation::abs>},
+    {"max", extreme<1>},
+    {"min", extreme<-1>},
 };
 
 } // namespace

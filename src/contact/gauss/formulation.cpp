@@ -29,6 +29,17 @@ template <int D> void Formulation<D>::move(const double* slave_displacement, con
   take_back(blocks_);
 }
 
+namespace {
+
+template <int D> void count(FrictionFlaw flaw, const Vec<D>& place, ContactCounters<D>& counters) {
+  if (flaw == FrictionFlaw::none) return;
+  ++counters.flawed;
+  counters.flawed_at = place;
+  counters.flaw = flaw;
+}
+
+} // namespace
+
 template <int D> void Formulation<D>::commit(History<D>& present, const History<D>& accepted, double) {
   for (std::size_t i = 0; i < points_.size(); ++i) {
     if (!acts(points_, present, i)) continue;
@@ -37,23 +48,16 @@ template <int D> void Formulation<D>::commit(History<D>& present, const History<
     present.offset_work += parameters_.energy_share() * 0.5 *
                            (before.pressure * before.area + after.pressure * after.area) *
                            (parameters_.offset(i, present.changes) - parameters_.offset(i, accepted.changes));
-    count_flaw(after.flaw, i);
+    count(after.flaw, points_.reference[i], counters);
     if (after.settled) continue;
     ++counters.unsettled;
     counters.unsettled_at = points_.reference[i];
   }
   for (std::size_t a = 0; a < present.multipliers.size(); ++a) {
     present.growth += growth(accepted.multiplier_results[a], present.multiplier_results[a]);
-    count_flaw(present.multiplier_results[a].flaw, multipliers()->points[a]);
+    count(present.multiplier_results[a].flaw, points_.reference[multipliers()->points[a]], counters);
   }
   return_to_accepted();
-}
-
-template <int D> void Formulation<D>::count_flaw(FrictionFlaw flaw, std::size_t point) {
-  if (flaw == FrictionFlaw::none) return;
-  ++counters.flawed;
-  counters.flawed_at = points_.reference[point];
-  counters.flaw = flaw;
 }
 
 template <int D> void Formulation<D>::settle(History<D>& accepted) {

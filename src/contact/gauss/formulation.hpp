@@ -106,7 +106,6 @@ public:
   ContactCounters<D> counters;
 
 protected:
-  void count_flaw(FrictionFlaw flaw, std::size_t point);
   /// Returns the last evaluation's blocks to their source, to reuse their memory.
   virtual void take_back(std::vector<Block>& blocks) { blocks.clear(); }
 

@@ -108,8 +108,9 @@ LocalGeometry<D> GaussPointContact<D>::closed_geometry(std::size_t i, const Tria
   LocalGeometry<D> geometry = this->geometry(i, trial, feet);
   geometry.fixed_state = fixed;
   geometry.tie = trial.controls.tie();
+  if (law.coefficient || law.pressure)
+    geometry.interface = {trial.duration, point.slipped, point.recent, place_of(points_.reference[i])};
   if (law.friction == 0) return geometry;
-  if (law.coefficient) geometry.rubbing = {trial.duration, point.slipped, point.recent, place_of(points_.reference[i])};
   if (!point.slips) {
     // A newly closed point slips from where it touches or, without a forecast, from its foot in the accepted state.
     std::optional<MasterPoint<D>> from;
@@ -138,9 +139,12 @@ std::optional<MasterPoint<D>> GaussPointContact<D>::foresee_touch(std::size_t i,
 template <int D> double GaussPointContact<D>::stiffness(const History<D>& history, double penalty_factor) const {
   const InterfaceLaw law = parameters_.law_in(history.changes, penalty_factor);
   double sum = 0;
-  for (const PointResult<D>& point : history.results) {
-    if (!law.adhesion && !touches(point.state)) continue;
-    const double slope = contact::stiffness(law, point.gap);
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    const PointResult<D>& point = history.results[i];
+    if (has_penalty(law) ? !touches(point.state) : point.law_area == 0) continue;
+    Interface at;
+    if (law.pressure) at.place = place_of(points_.reference[i]);
+    const double slope = contact::stiffness(law, point.gap, at);
     sum += point.law_area * slope * point.law_area * slope;
   }
   return std::sqrt(sum);

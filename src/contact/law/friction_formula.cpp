@@ -15,7 +15,7 @@ std::vector<std::string> friction_variables() {
   return {"p", "v", "slip", "X", "Y", "Z", "recent"};
 }
 
-Coefficient FrictionFormula::operator()(double pressure, double slip, const Rubbing& at) const {
+Coefficient FrictionFormula::operator()(double pressure, double slip, const Interface& at) const {
   const double per_time = at.duration > 0 ? 1 / at.duration : 0;
   thread_local std::vector<double> registers;
   if (std::ssize(registers) < tape.registers) registers.resize(tape.registers);

@@ -1,7 +1,7 @@
 #pragma once
 // Coefficients of friction that are formulas of pressure, slip and place [theory 7.5].
 
-#include "base/eigen.hpp"
+#include "contact/law/interface.hpp"
 #include "symbolic/archive.hpp"
 #include "symbolic/tape.hpp"
 
@@ -10,21 +10,6 @@
 #include <vector>
 
 namespace signorini::contact {
-
-/// What a coefficient may depend on besides the pressure and the slip Δγ of the step.
-struct Rubbing {
-  double duration = 0;           ///< Δt of the step; 0: it has none, and formulas see no slip rate
-  double slipped = 0;            ///< γ, slip since the touch, in the accepted state
-  double recent = 0;             ///< slip since the point last stuck for a whole step, in the accepted state
-  Vec<3> place = Vec<3>::Zero(); ///< X, Y[, Z] of the slave point
-};
-
-/// A reference position as the place of a Rubbing.
-template <class Position> Vec<3> place_of(const Position& position) {
-  Vec<3> place = Vec<3>::Zero();
-  place.head(position.size()) = position;
-  return place;
-}
 
 /// μ, ∂μ/∂p and dμ/dΔγ.
 struct Coefficient {
@@ -37,7 +22,7 @@ struct FrictionFormula {
   symbolic::Tape tape;       ///< μ and its derivatives by p, v, slip and recent
   bool of_rate;              ///< it depends on v
 
-  Coefficient operator()(double pressure, double slip, const Rubbing& at) const;
+  Coefficient operator()(double pressure, double slip, const Interface& at) const;
 };
 
 /// "p", "v" (slip rate Δγ/Δt), "slip" (γ + Δγ), "X", "Y", "Z", "recent".

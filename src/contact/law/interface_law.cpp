@@ -3,12 +3,13 @@
 #include "base/error.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace signorini::contact {
 
 void check(const InterfaceLaw& law) {
   if (law.adhesion) return check(*law.adhesion);
-  require(law.normal > 0, "contact.penalty.normal", {{"value", law.normal}});
+  require(law.pressure || law.normal > 0, "contact.penalty.normal", {{"value", law.normal}});
   require(law.friction >= 0, "contact.penalty.friction", {{"value", law.friction}});
   require(!may_rub(law) || law.tangential > 0, "contact.penalty.tangential", {{"value", law.tangential}});
 }
@@ -26,9 +27,10 @@ InterfaceLaw scaled(InterfaceLaw law, double factor) {
   return law;
 }
 
-double stiffness(const InterfaceLaw& law, double gap) {
+double stiffness(const InterfaceLaw& law, double gap, const Interface& at) {
   if (law.adhesion) return stiffness(*law.adhesion, gap);
-  return -std::max(law.normal, law.friction > 0 ? law.tangential : 0);
+  const double normal = law.pressure ? std::abs((*law.pressure)(gap, at).rate) : law.normal;
+  return -std::max(normal, law.friction > 0 ? law.tangential : 0);
 }
 
 double limit_before(double limit, double mu_before, double mu, double held) {

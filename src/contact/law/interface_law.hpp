@@ -6,6 +6,7 @@
 #include "contact/law/adhesion.hpp"
 #include "contact/law/changes.hpp"
 #include "contact/law/friction_formula.hpp"
+#include "contact/law/pressure_formula.hpp"
 #include "contact/law/state.hpp"
 
 #include <limits>
@@ -21,13 +22,14 @@ enum class Enforcement : unsigned char { penalty, multipliers };
 /// Penalty parameters are pressure per length. Those of a scene may be 0, which stands for values from material and
 /// mesh. With multipliers as unknowns they weigh gaps and slips that the multipliers do not see.
 struct InterfaceLaw {
-  double normal;                            ///< ε_N > 0; 0 with adhesion
+  double normal;                            ///< ε_N > 0; 0 with adhesion or a formula
   double tangential = 0;                    ///< ε_T, used when friction > 0
   double friction = 0;                      ///< Coulomb's μ ≥ 0; 1 if it is a formula
   TractionArea per = TractionArea::current; ///< reference, without friction: the forces derive from an energy
   Enforcement enforcement = Enforcement::penalty;
-  bool frictional = false;               ///< μ may change along the path, also if it is 0
-  std::optional<Adhesion> adhesion = {}; ///< in place of the penalty: acts at any gap, without friction
+  bool frictional = false;                              ///< μ may change along the path, also if it is 0
+  std::optional<Adhesion> adhesion = {};                ///< in place of the penalty: acts at any gap, without friction
+  std::shared_ptr<const PressureFormula> pressure = {}; ///< in place of the penalty
   std::shared_ptr<const FrictionFormula> coefficient = {}; ///< in place of μ
 };
 
@@ -48,29 +50,32 @@ void check(const InterfaceLaw& law);
 /// The law with its penalty parameters times a factor.
 InterfaceLaw scaled(InterfaceLaw law, double factor);
 
-/// Pressure p at a gap g that closes the point, with p′(g) and the energy per area.
-struct GapResponse {
-  double pressure, rate, potential;
-};
-inline GapResponse respond(const InterfaceLaw& law, double gap) {
+/// True if an ε_N presses.
+inline bool has_penalty(const InterfaceLaw& law) {
+  return !law.adhesion && !law.pressure;
+}
+inline GapResponse respond(const InterfaceLaw& law, double gap, const Interface& at) {
+  if (law.pressure) return (*law.pressure)(gap, at);
   if (law.adhesion) return {traction(*law.adhesion, gap), stiffness(*law.adhesion, gap), potential(*law.adhesion, gap)};
   // p = −ε_N g,  ε_N g²/2
   return {-law.normal * gap, -law.normal, 0.5 * law.normal * gap * gap};
 }
 /// The gap below which the law acts.
 inline double reach(const InterfaceLaw& law) {
-  return law.adhesion ? std::numeric_limits<double>::infinity() : 0;
+  return law.pressure ? law.pressure->clearance : law.adhesion ? std::numeric_limits<double>::infinity() : 0;
 }
-/// State of a point on which the law acts, without friction.
-inline ContactState state_of(const InterfaceLaw& law, double gap) {
+/// State of a point on which the law acts with a pressure, without friction.
+inline ContactState state_of(const InterfaceLaw& law, double gap, double pressure) {
+  if (law.pressure)
+    return pressure > 0 ? ContactState::stick : pressure < 0 ? ContactState::adhesion : ContactState::open;
   if (!law.adhesion) return ContactState::stick;
   return gap < strongest_distance(*law.adhesion) ? ContactState::adhesion : ContactState::open;
 }
 /// The largest derivative of tractions with respect to gap or slip at a point, by its sign that of p′(g).
-double stiffness(const InterfaceLaw& law, double gap);
+double stiffness(const InterfaceLaw& law, double gap, const Interface& at);
 
 /// μ at a pressure and a slip of the step; a formula below 0 counts as 0.
-inline Coefficient coefficient(const InterfaceLaw& law, double pressure, double slip, const Rubbing& at) {
+inline Coefficient coefficient(const InterfaceLaw& law, double pressure, double slip, const Interface& at) {
   if (!law.coefficient) return {law.friction, 0, 0};
   const Coefficient found = (*law.coefficient)(pressure, slip, at);
   return found.value < 0 ? Coefficient{0, 0, 0} : found;

@@ -11,7 +11,7 @@ namespace {
 
 /// The slip at which the limit has fallen or risen to the trial: Newton's method from Δγ = 0, by bisection where it
 /// leaves the bracket [0, |t*|/ε_T] of f(Δγ) = |t*| − ε_T Δγ − p μ, f(0) > 0.
-double find_slip(const InterfaceLaw& law, double magnitude, double pressure, const Rubbing& at) {
+double find_slip(const InterfaceLaw& law, double magnitude, double pressure, const Interface& at) {
   double low = 0, high = magnitude / law.tangential, slip = 0;
   for (int iteration = 0; iteration < most_slip_iterations; ++iteration) {
     const Coefficient mu = coefficient(law, pressure, slip, at);
@@ -30,7 +30,7 @@ double find_slip(const InterfaceLaw& law, double magnitude, double pressure, con
 
 template <int N>
 Slide<N> slide(const InterfaceLaw& law, const Vec<N>& trial, double pressure, FixedContactState fixed, double tie,
-               const Rubbing& at) {
+               const Interface& at) {
   Slide<N> result;
   result.friction = trial;
   const double p = std::max(0.0, pressure), magnitude = trial.norm();
@@ -65,8 +65,8 @@ Slide<N> slide(const InterfaceLaw& law, const Vec<N>& trial, double pressure, Fi
   return result;
 }
 
-template Slide<1> slide(const InterfaceLaw&, const Vec<1>&, double, FixedContactState, double, const Rubbing&);
-template Slide<2> slide(const InterfaceLaw&, const Vec<2>&, double, FixedContactState, double, const Rubbing&);
-template Slide<3> slide(const InterfaceLaw&, const Vec<3>&, double, FixedContactState, double, const Rubbing&);
+template Slide<1> slide(const InterfaceLaw&, const Vec<1>&, double, FixedContactState, double, const Interface&);
+template Slide<2> slide(const InterfaceLaw&, const Vec<2>&, double, FixedContactState, double, const Interface&);
+template Slide<3> slide(const InterfaceLaw&, const Vec<3>&, double, FixedContactState, double, const Interface&);
 
 } // namespace signorini::contact

@@ -29,6 +29,6 @@ template <int N> struct Slide {
 /// Controls::tie().
 template <int N>
 Slide<N> slide(const InterfaceLaw& law, const Vec<N>& trial, double pressure, FixedContactState fixed, double tie,
-               const Rubbing& at);
+               const Interface& at);
 
 } // namespace signorini::contact

@@ -3,6 +3,7 @@
 #include "nurbs/archive.hpp"
 
 #include <cmath>
+#include <limits>
 
 namespace signorini::contact {
 
@@ -66,7 +67,7 @@ auto members(Adhesion& law) {
 }
 
 auto members(InterfaceLaw& law) {
-  auto& [normal, tangential, friction, per, enforcement, frictional, adhesion, coefficient] = law;
+  auto& [normal, tangential, friction, per, enforcement, frictional, adhesion, pressure, coefficient] = law;
   return std::tie(normal, tangential, friction, per, enforcement, frictional, adhesion);
 }
 
@@ -176,15 +177,24 @@ Obstacle<3> read(ArchiveReader& from, std::type_identity<Obstacle<3>>) {
 
 void write(ArchiveWriter& to, const Method& method) {
   // `unknown` follows from material and mesh.
-  to.put(method.law, method.multipliers, method.pass, method.bond, method.law.coefficient != nullptr);
-  if (method.law.coefficient) to.put(method.law.coefficient->formula);
+  const auto& [pressure, coefficient] = std::tie(method.law.pressure, method.law.coefficient);
+  to.put(method.law, method.multipliers, method.pass, method.bond, pressure != nullptr, coefficient != nullptr);
+  if (pressure)
+    to.put(std::isfinite(pressure->clearance), std::isfinite(pressure->clearance) ? pressure->clearance : 0,
+           pressure->formula);
+  if (coefficient) to.put(coefficient->formula);
 }
 
 Method read(ArchiveReader& from, std::type_identity<Method>) {
   Method method;
   from.into(method.law, method.multipliers, method.pass, method.bond);
-  if (from.get<bool>())
-    method.law.coefficient = make_friction_formula(symbolic::read_formula(from, friction_variables()));
+  const bool presses = from.get<bool>(), rubs = from.get<bool>();
+  if (presses) {
+    const bool bounded = from.get<bool>();
+    const double given = from.get<double>(), clearance = bounded ? given : std::numeric_limits<double>::infinity();
+    method.law.pressure = make_pressure_formula(symbolic::read_formula(from, pressure_variables()), clearance);
+  }
+  if (rubs) method.law.coefficient = make_friction_formula(symbolic::read_formula(from, friction_variables()));
   return method;
 }
 

@@ -11,6 +11,7 @@ template <int D> std::unique_ptr<Formulation<D>> make_formulation(const Method& 
   const bool solved = law.enforcement == Enforcement::multipliers;
   // Where penetrations vanish, nothing makes the pressures of the two faces equal.
   require(!solved || pass == Pass::full, "contact.enforcement.half_passes");
+  require(!solved || has_penalty(law), "contact.enforcement.pressure");
   if (bond) return std::make_unique<CohesiveContact<D>>(setting, law, *bond);
   require(!solved || multipliers, "contact.enforcement.points");
   if (solved) return std::make_unique<MultiplierContact<D>>(std::move(setting), law, *multipliers, unknown);

@@ -66,7 +66,8 @@ void MortarContact<D>::weigh(std::size_t i, const Trial<D>& trial, FootPoints<D>
   }
   const auto& [foot, element, along, xi, gap, last] = point.projection;
   const double distance = gap - parameters_.offset(i, trial.present.changes);
-  point.cleared = foot == Foot::regular && feet.foot.settled && distance > 0 ? faces_.travel + distance : 0;
+  const double clear = distance - reach(*parameters_.law);
+  point.cleared = foot == Foot::regular && feet.foot.settled && clear > 0 ? faces_.travel + clear : 0;
   FaceCoordinates<D> rate;
   const double fade = result.beyond || (foot != Foot::regular && gap == 0) ? 0 : master.fade(xi, rate);
   if (fade == 0) return;
@@ -119,13 +120,13 @@ template <int D> void MortarContact<D>::decide(const Trial<D>& trial) {
         own.fraction = touch_fraction(own.sums.before, own.sums.gap);
         history.touch = own.fraction * (own.sums.slip / own.sums.area);
       }
-      closed = controls.closed(a, result.gap);
+      closed = controls.closed(a, result.gap - reach(law));
     }
     if (!closed) continue;
     FrictionControl control{*closed, controls.tie()};
-    if (law.coefficient)
-      control.rubbing = {trial.duration, history.slipped, history.recent,
-                         place_of(points_.reference[multipliers_.points[a]])};
+    if (law.coefficient || law.pressure)
+      control.interface = {trial.duration, history.slipped, history.recent,
+                           place_of(points_.reference[multipliers_.points[a]])};
     own.tangent = mortar_law(law, own.sums, history, control, result);
     result.potential *= parameters_.energy_share();
   }
@@ -313,7 +314,7 @@ template <int D> double MortarContact<D>::stiffness(const History<D>& history, d
   const InterfaceLaw law = parameters_.law_in(history.changes, penalty_factor);
   double sum = 0;
   for (const MultiplierResult<D>& result : history.multiplier_results) {
-    const double slope = contact::stiffness(law, result.gap);
+    const double slope = contact::stiffness(law, result.gap, {});
     if (result.state != ContactState::open) sum += result.area * slope * result.area * slope;
   }
   return std::sqrt(sum);

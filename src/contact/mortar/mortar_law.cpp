@@ -55,7 +55,7 @@ void friction(const InterfaceLaw& law, const MultiplierSums<D>& sums, const Mult
   const Vec<D> v = sums.slip / sums.area - history.touch;
   // Trial ε_T (η_A + e·V), V = V_A − V*_A
   const Components slip = e.transpose() * v, trial = law.tangential * (history.elastic + slip);
-  const Slide<D - 1> step = slide<D - 1>(law, trial, result.pressure, control.fixed, control.tie, control.rubbing);
+  const Slide<D - 1> step = slide<D - 1>(law, trial, result.pressure, control.fixed, control.tie, control.interface);
   result.state = step.state;
   result.mu = step.mu;
   result.flaw = step.flaw;
@@ -91,10 +91,10 @@ MultiplierTangent<D> mortar_law(const InterfaceLaw& law, const MultiplierSums<D>
                                 const MultiplierHistory<D>& history, const FrictionControl& control,
                                 MultiplierResult<D>& result) {
   MultiplierTangent<D> tangent;
-  const GapResponse response = respond(law, result.gap);
+  const GapResponse response = respond(law, result.gap, control.interface);
   result.pressure = response.pressure;
   tangent.pressure = response.rate;
-  result.state = ContactState::stick;
+  result.state = state_of(law, result.gap, result.pressure);
   result.potential = response.potential * sums.area;
   result.mu = law.coefficient ? 0 : law.friction;
   if (law.friction > 0 && (result.pressure > 0 || control.fixed == FixedContactState::stick))

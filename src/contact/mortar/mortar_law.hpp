@@ -30,7 +30,7 @@ template <int D> struct MultiplierSums {
 struct FrictionControl {
   FixedContactState fixed;
   double tie;
-  Rubbing rubbing = {};
+  Interface interface = {};
 };
 
 /// Derivatives of z_A and t_A with respect to ḡ_A, Σ w n̄, V_A = Σ w v/a_A and Σ w xˢ_,1; zero if open.

@@ -43,7 +43,7 @@ PointCondition<D> closed_condition(const InterfaceLaw& law, const LocalGeometry<
     LocalBlock<D> rows =
         law.tangential * (plane * slip) - (n.dot(x) * Mat<D>::Identity() + n * x.transpose()) * gap.normal;
     Mat<D> of_multiplier = -plane;
-    const Slide<D> step = slide<D>(law, y, q, geometry.fixed_state, geometry.tie, geometry.rubbing);
+    const Slide<D> step = slide<D>(law, y, q, geometry.fixed_state, geometry.tie, geometry.interface);
     condition.mu = step.mu;
     condition.flaw = step.flaw;
     if (step.state == ContactState::slip) {

@@ -29,7 +29,7 @@ void rub(const InterfaceLaw& law, const LocalGeometry<D>& geometry, const LocalR
   trial_rows.template middleCols<D>(Force::master_column).diagonal().array() += law.tangential;
   trial_rows.template middleCols<D>(Force::slip_column).diagonal().setConstant(-law.tangential);
 
-  const Slide<D> step = slide<D>(law, trial, result.pressure, geometry.fixed_state, geometry.tie, geometry.rubbing);
+  const Slide<D> step = slide<D>(law, trial, result.pressure, geometry.fixed_state, geometry.tie, geometry.interface);
   result.state = step.state;
   result.mu = step.mu;
   result.flaw = step.flaw;
@@ -54,7 +54,7 @@ void interface_force(const InterfaceLaw& law, const LocalGeometry<D>& geometry, 
   const Vec<D>& n = geometry.normal;
   const double g = geometry.gap - geometry.offset;
   const GapRows<D> rows = gap_rows(geometry, result.shift);
-  const GapResponse response = respond(law, g);
+  const GapResponse response = respond(law, g, geometry.interface);
 
   // δ(p n̄) = p′ δg n̄ + p δn̄
   result.pressure = response.pressure;
@@ -63,7 +63,7 @@ void interface_force(const InterfaceLaw& law, const LocalGeometry<D>& geometry, 
     traction_rows.template middleCols<Count>(From) = result.pressure * rows.normal.template middleCols<Count>(From) +
                                                      (response.rate * n) * rows.gap.template middleCols<Count>(From);
   });
-  result.state = state_of(law, g);
+  result.state = state_of(law, g, response.pressure);
   result.friction.setZero();
   result.mu = law.coefficient ? 0 : law.friction;
   result.flaw = FrictionFlaw::none;

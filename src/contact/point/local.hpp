@@ -24,7 +24,7 @@ template <int D> struct LocalGeometry {
   FixedContactState fixed_state = FixedContactState::free;
   /// A trial slip within this distance of Coulomb's cone sticks, if negative slips. See Controls::tie().
   double tie = 0;
-  Rubbing rubbing = {}; ///< what a formula of friction depends on
+  Interface interface = {}; ///< what a formula of friction depends on
   double fade = 1;      ///< effective fraction of the area, below 1 beyond an open end of the master
   FaceCoordinates<D> fade_rate = FaceCoordinates<D>::Zero(); ///< ∂fade/∂ξ̄
 };

@@ -78,7 +78,7 @@ template <int D>
 void write_contact(ArchiveWriter& to, const Contact<D>& contact, const contact::Formulation<D>& formulation) {
   const auto& [name, slave, master, method, points, where, start, bonded, other_pass, default_penalty, adaptive_points,
                own] = contact;
-  require(!own, "contact.archive.own_formulation");
+  require(!own, "model.archive.own_formulation");
   const auto* faces = std::get_if<Faces>(&master);
   to.put(name, slave, faces ? *faces : Faces{}, faces ? -1 : std::get<ObstacleReference>(master).obstacle, method,
          points, points_of_region(formulation), start, bonded_points(formulation), other_pass, default_penalty,

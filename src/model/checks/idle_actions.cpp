@@ -114,7 +114,7 @@ template <int D> void warn_of_idle_angles(const System<D>& system, std::vector<M
   for (const FreeAngle<D>& angle : system.unknowns.free_angles()) {
     const auto rubs = [&](const Contact<D>& contact) {
       const auto* master = std::get_if<ObstacleReference>(&contact.master);
-      const contact::InterfaceLaw* law = penalty_law(contact);
+      const contact::InterfaceLaw* law = contact.own || contact.method.law.adhesion ? nullptr : &contact.method.law;
       return master && master->obstacle == angle.obstacle && (!law || may_rub(*law) || contact.method.bond);
     };
     if (is_round(system.scene, angle) && std::ranges::none_of(system.scene.contacts, rubs))

@@ -6,9 +6,10 @@ namespace signorini::model {
 
 template <int D> void check_changes(const Contact<D>& contact, const contact::Changes& changes) {
   const auto& [active, offset, normal, tangential, friction, overlap] = changes;
-  const contact::InterfaceLaw* law = penalty_law(contact);
+  const contact::InterfaceLaw* law = contact.own || contact.method.law.adhesion ? nullptr : &contact.method.law;
   require(law || !(offset || normal || tangential || friction), "model.contact.adhesive", {{"contact", contact.name}});
   require(!contact.method.bond || !(active || offset), "model.contact.cohesive", {{"contact", contact.name}});
+  require(!normal || has_penalty(*law), "model.contact.pressure", {{"contact", contact.name}});
   require(!(tangential || friction) || may_rub(*law), "model.contact.no_friction", {{"contact", contact.name}});
   require(!friction || !law->coefficient, "model.contact.formula", {{"contact", contact.name}});
   require(overlap == 1 || contact.start.interference, "model.contact.no_interference", {{"contact", contact.name}});

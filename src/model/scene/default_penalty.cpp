@@ -58,6 +58,8 @@ template <int D> double default_penalty(const Scene<D>& scene, const Contact<D>&
 template <int D> void set_default_penalties(Scene<D>& scene) {
   for (Contact<D>& contact : scene.contacts) {
     contact::InterfaceLaw* law = penalty_law(contact);
+    if (contact::InterfaceLaw& own = contact.method.law; own.pressure && may_rub(own) && own.tangential == 0)
+      own.tangential = default_penalty(scene, contact);
     if (!law) continue;
     const bool alone = law->enforcement == contact::Enforcement::penalty;
     if (!alone && contact.method.multipliers) {

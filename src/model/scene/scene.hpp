@@ -173,11 +173,11 @@ template <int D> bool acts_on(const Contact<D>& contact, int body) {
   return contact.slave.on(body) || (master && master->on(body));
 }
 
-/// The law of a contact with a penalty, with the constness of its argument; nullptr for adhesion and user-defined
-/// formulations.
+/// The law of a contact with a penalty, with the constness of its argument; nullptr for adhesion, pressures by formula
+/// and user-defined formulations.
 template <class AnyContact> auto* penalty_law(AnyContact& contact) {
   auto* law = &contact.method.law;
-  return law->adhesion || contact.own ? nullptr : law;
+  return has_penalty(*law) && !contact.own ? law : nullptr;
 }
 
 /// Radius of a ball, a cylinder or a torus; 0 if it is hollow, and of other shapes.

@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "model/checks/clearance.hpp"
 #include "model/checks/idle_actions.hpp"
+#include "model/checks/pressure.hpp"
 #include "model/checks/scene_warnings.hpp"
 #include "model/constants.hpp"
 #include "model/scene/changed_contact.hpp"
@@ -26,6 +27,7 @@ Model<D>::Model(Scene<D> scene, NotStarted)
       projected_volumes(system.scene.bodies.size()) {}
 
 template <int D> Model<D>::Model(Scene<D> scene) : Model(std::move(scene), NotStarted{}) {
+  check_pressures(system);
   // Friction at points that close later starts from their foot points in the initial state.
   Message why;
   evaluate(*this, {.tangent = false}, why);
@@ -55,7 +57,7 @@ template <int D> void set_penalty_factor(Model<D>& model, double factor) {
 }
 
 template <int D> void set_time(Model<D>& model, double time) {
-  require(std::isfinite(time) && time >= model.accepted.time, "model.time",
+  require(std::isfinite(time) && time >= model.accepted.time, "model.step.time",
           {{"time", time}, {"accepted", model.accepted.time}});
   if (time == model.present.time) return;
   model.present.time = time;

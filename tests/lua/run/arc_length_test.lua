@@ -26,10 +26,10 @@ local function potential(r)
   return energy + strength * (q ^ 9 / 5 - q ^ 3) / equilibrium * (r - equilibrium) ^ 2 / 2
 end
 
---- What bodies and film store.
+--- What bodies and film store; the film acts on the reference area, the area before the first step.
 local function stored(model)
-  local profile, sum = model:profile "film", model:energy().stored
-  for i, gap in ipairs(profile.gap) do sum = sum + profile.area[i] * potential(gap) end
+  local sum, areas = model:energy().stored, strip.model():profile "film".area
+  for i, gap in ipairs(model:profile "film".gap) do sum = sum + areas[i] * potential(gap) end
   return sum
 end
 

@@ -45,6 +45,11 @@ stages change.]], "contact", "stage" },
   { "delamination, cohesive, cohesive zone, cohesive element, czm, fracture, crack, adhesive joint", [[Bonds between
 faces break by a cohesive law with the key `cohesive` of a contact; van der Waals forces act with `adhesion`. Cracks
 within a body are not available: make it of two bodies with a bonded contact.]], "contact" },
+  { "static friction, kinetic friction, stribeck, friction coefficient, rate-dependent friction, slip weakening",
+    "mu of `friction` is a number, { static, kinetic, over }, or a function of pressure, slip rate, slip and place.",
+    "contact" },
+  { "pressure-overclosure, soft contact, exponential contact, asperities, rough surface, winkler",
+    "The key `pressure` of a contact is a function of the gap in place of the penalty.", "contact" },
   { "wear, archard, abrasion", [[Wear is not available. The key `offset` of a contact, which stages change, sets a depth
 that is known.]], "contact", "stage" },
   { "self contact, general contact, contact pair",
@@ -83,7 +88,7 @@ in run.failure; sg.robust{} lists the default controls.]], "model:run", "run", "
 sg.recommend choose one.]], "sg.recommend", "sg.work_precision", "sg.study" },
   { "riks, arc length, snap through, snap back, limit point, continuation",
     "`arc_length = true` of model:run follows the path where steps fail.", "model:run", "model:solve_arc" },
-  { "load step, time step, increment, time, amplitude, step size, load curve, load history, tabular amplitude",
+  { "load step, time step, increment, physical time, amplitude, step size, load curve, load history, tabular amplitude",
     [[Targets of a stage are numbers, reached in equal steps, or functions of the fraction of the stage. Stages divide
 the load path into steps; the option `step` of model:run controls increments.]], "stage", "model:run" },
   { "restart, resume, checkpoint, load state", [[`checkpoint` and `resume = true` of model:run continue a run;
