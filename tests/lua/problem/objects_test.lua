@@ -93,7 +93,23 @@ check.case("rolling tire: the rolling radius, no resistance, and friction that l
   check.within("driven", tire.traction[#tire.traction], tire.mu, 0.01 * tire.mu)
 end)
 
+check.case("brake pad: mu at each speed, and a peak below static friction where it falls over a short slip", function()
+  local pad = results("brake_pad", "elements=8", "steps=40", "over=0.5,0.05", "speeds=0.1,1")
+  check.within("friction by speed", pad.worst, 0, 1e-9)
+  assert(pad.rows[1][2] > 0.36 and pad.rows[1][2] < 0.4 and pad.rows[2][2] < 0.3)
+  for _, row in ipairs(pad.rows) do check.within("friction at the end", row[3], row[4], 2e-3) end
+end)
+
+check.case("rough joint: springs in series", function()
+  for _, row in ipairs(results("rough_joint", "elements=2", "steps=5").rows) do
+    check.within("pressure", row[2] / row[3], 1, 1e-9)
+    check.within("largest difference", row[5], 0, 1e-9)
+  end
+end)
+
 check.case("wrong arguments are errors", function()
+  check.refused("objects/brake_pad", { ["over=0"] = "over", ["speeds=-1"] = "speeds", ["steps=1"] = "steps" })
+  check.refused("objects/rough_joint", { ["exponents=0.5"] = "exponents", ["elements=0"] = "elements" })
   check.refused("objects/roller", { ["mu=0"] = "mu", ["travel=2"] = "travel", ["steps=4"] = "steps" })
   check.refused("objects/belt", { ["h=0"] = "h", ["mu=1"] = "mu", ["elements=2"] = "elements", ["turn=0"] = "turn" })
   check.refused("objects/pressed_tool", { ["P=0"] = "P", ["refinement=0"] = "refinement", ["distance=3"] = "distance" })
