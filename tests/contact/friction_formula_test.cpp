@@ -49,9 +49,9 @@ template <int N> void slides() {
     for (int trial = 0; trial < 60; ++trial) {
       const InterfaceLaw law = with(formula);
       const Interface at{duration,
-                       uniform(random, 0, 0.5),
-                       uniform(random, 0, 0.1),
-                       {uniform(random, 0, 2), uniform(random, 0, 2), 0}};
+                         uniform(random, 0, 0.5),
+                         uniform(random, 0, 0.1),
+                         {uniform(random, 0, 2), uniform(random, 0, 2), 0}};
       const double pressure = uniform(random, 0.5, 5);
       const Vec<N> start = random_vector<N>(random, trial % 3 == 0 ? 0.1 : 3);
       const auto slide_at = [&](const Vec<N>& t, double p) {

@@ -25,7 +25,7 @@ template <int D> struct LocalGeometry {
   /// A trial slip within this distance of Coulomb's cone sticks, if negative slips. See Controls::tie().
   double tie = 0;
   Interface interface = {}; ///< what a formula of friction depends on
-  double fade = 1;      ///< effective fraction of the area, below 1 beyond an open end of the master
+  double fade = 1;          ///< effective fraction of the area, below 1 beyond an open end of the master
   FaceCoordinates<D> fade_rate = FaceCoordinates<D>::Zero(); ///< ∂fade/∂ξ̄
 };
 
