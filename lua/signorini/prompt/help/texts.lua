@@ -59,7 +59,7 @@ The examples use this scene, which can be typed or copied to the prompt:
 Order labels of discretizations, values of `order` in sg.body{ … }, for the directions along the contact face:
   Np          NURBS of degree p, continuity C^(p-1)
   Np.s        Np, then degree-elevated s times: degree p + s, still C^(p-1)
-  Lp          Lagrange elements of degree p, C0; the geometry is interpolated at p equidistant parameters per span
+  Lp          Lagrange elements of degree p, C0; the geometry is interpolated at p equidistant parameters per element
   Nb-Nc       degree b in the bulk; the row of control points on the contact face k-refined to degree c
   Nb-Nc.s     the same, that row then degree-elevated s times
   Nb-Nc.sxr   the same for the first r rows from the contact face, such as N2-N2.2x2 (default: x1)
@@ -77,11 +77,12 @@ In plane strain and plane stress forces, energies and stiffnesses are per unit o
 those of the whole circumference. Angles are in degrees. By default a penalty is 30 E/h, E of the softer body, h the
 size of the slave's elements. `units` of sg.study and sg.table only label columns.]],
   ["quasi-static"] = [[
-Solutions are quasi-static: sequences of equilibrium states without inertia and without viscosity, so that time does not
-occur. A stage is a part of the load path, and its steps are increments of displacements and loads; the path matters
-with friction and bonds. Impact, vibration, waves, creep and effects of rates are not available. Where a path snaps
-through, no equilibrium near the last one exists: arc_length = true of model:run follows the path through limit points,
-pseudo_transient = true jumps to the next stable state with an artificial viscosity.]],
+Solutions are quasi-static: sequences of equilibrium states without inertia and without viscosity. A stage is a part of
+the load path, and its steps are increments of displacements and loads; the path matters with friction and bonds. Time
+occurs only where mu of a contact depends on the slip rate: stages then have a duration. Impact, vibration, waves and
+creep are not available. Where a path snaps through, no equilibrium near the last one exists: arc_length = true of
+model:run follows the path through limit points, pseudo_transient = true jumps to the next stable state with an
+artificial viscosity.]],
   geometry = [[
 A patch is a NURBS curve, surface or volume, an immutable value.
   sg.shapes.*    ready-made patches: rectangle, half_annulus, quarter_annulus, block, …
