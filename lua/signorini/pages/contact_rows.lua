@@ -13,7 +13,7 @@ end
 local static = t.named {
   { "static", t.positive, "coefficient where a point begins to slip" },
   { "kinetic", t.non_negative, "that of a point that has slipped far" },
-  { "over", t.positive, "slip over which it falls by 1/e of the difference", unit = "length" },
+  { "over", t.positive, "slip over which the difference of the two falls to 1/e", unit = "length" },
   conflict = function(values)
     return values.static < values.kinetic
       and ("static = %g is less than kinetic = %g: exchange the two"):format(values.static, values.kinetic) or nil

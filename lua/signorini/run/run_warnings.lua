@@ -162,7 +162,7 @@ local function flawed(run, contact)
     and "friction jumps where a point begins to slip, since mu falls faster with the slip of a step than the "
       .. "tangential penalty can follow: results depend on the steps. Hint: raise friction.penalty, or let mu fall "
       .. "over a longer slip"
-    or "the formula of mu is negative, which counts as 0. Hint: correct the formula, as with sg.abs"
+    or "the formula of mu is negative, which counts as 0. Hint: cut it off with sg.max(0, …)"
   return ("contact '%s': %s (%s in accepted states, the last time at X = (%s))"):format(contact, what,
     counted(found.count, "time"), position(found.at))
 end

@@ -37,7 +37,8 @@ Slide<N> slide(const InterfaceLaw& law, const Vec<N>& trial, double pressure, Fi
   const Coefficient onset = coefficient(law, p, 0, at);
   double limit = onset.value * p;
   result.mu = onset.value;
-  if (law.coefficient && (*law.coefficient)(p, 0, at).value < 0) result.flaw = FrictionFlaw::negative;
+  if (law.coefficient && onset.value == 0 && (*law.coefficient)(p, 0, at).value < 0)
+    result.flaw = FrictionFlaw::negative;
   // (ε_T + μ ε_N) |tie|: change of |t| − μ p due to an error |tie| of gap and slip, below which the direction of the
   // friction is undefined
   const double error = (law.tangential + onset.value * law.normal) * tie;
