@@ -17,7 +17,7 @@ const InterfaceLaw law{100, 50, 0.4};
 
 /// A block above a slab, both with `elements` along the contact; the block's lower face is the slave.
 struct Blocks {
-  explicit Blocks(int points, int elements)
+  explicit Blocks(int points, int elements, const InterfaceLaw& law = history_transfer_test::law)
       : block(discretize(nurbs::rectangle(2, 1, Eigen::Vector2d(0.5, 1)), {elements, 1}, "N2", "south")),
         slab(discretize(nurbs::rectangle(3, 1, Eigen::Vector2d(0, 0)), {7, 1}, "N2", "north")),
         contact(make_formulation<2>(law, {Surface<2>(block, nurbs::side_of("south", 2)),
@@ -96,6 +96,18 @@ TEST(HistoryTransfer, OpenPointsBeginWithoutHistory) {
   Blocks old(9, 5), now(3, 5);
   recall(memories<2>(*old.contact, old.accepted, old.all()), *now.contact, now.all(), now.accepted);
   for (const PointHistory<2>& point : now.accepted.points) EXPECT_FALSE(point.slips);
+}
+
+TEST(HistoryTransfer, WearIsCarriedAlsoByOpenPoints) {
+  symbolic::Graph graph(friction_variables());
+  const int rate = graph.constant(0.1);
+  InterfaceLaw wearing = law;
+  wearing.wear = {make_friction_formula({graph, rate})};
+  Blocks old(9, 5, wearing), now(3, 8, wearing);
+  for (const std::size_t i : old.all()) old.accepted.points[i].worn = 0.01 * old.contact->points().reference[i](0);
+  recall(memories<2>(*old.contact, old.accepted, old.all()), *now.contact, now.all(), now.accepted);
+  for (const std::size_t i : now.all())
+    EXPECT_NEAR(now.accepted.points[i].worn, 0.01 * now.contact->points().reference[i](0), 1e-10);
 }
 
 } // namespace history_transfer_test

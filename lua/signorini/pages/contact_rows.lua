@@ -29,6 +29,15 @@ slave point. { static, kinetic, over }: kinetic + (static - kinetic) exp(-s / ov
 stuck for a whole step. Where mu falls faster with the slip of a step than friction.penalty can follow, friction jumps,
 with a warning]] }
 
+--- Wear of a contact in sg.model.
+rows.wear = {
+  { "rate", t.either(t.non_negative, t.callback), [[depth per pressure and slip. function(p, v, slip, X, Y, Z) (those that
+it needs) that returns a formula of the same variables as friction.mu]], unit = "1/pressure" },
+  { "update", t.choice { "implicit", "explicit" }, [[implicit: the wear of a step acts on its pressure (backward Euler).
+explicit: that of the steps before; unstable where rate × slip of a step × stiffness of the contact exceeds 2]],
+    default = "implicit" },
+}
+
 --- The constants of a contact that a load path changes.
 rows.change = {
   { "active", t.flag, "whether the contact acts. One that does not has no pressure, friction or history",
@@ -79,6 +88,7 @@ end
 function rows.conflict_of_cohesive(values)
   local function both(what, cure) return ("it has both cohesive and %s: %s"):format(what, cure) end
   if values.adhesion then return both("adhesion", "both hold the faces together, remove one of the two") end
+  if values.wear then return both("wear", "bonds are between faces that keep their shape, remove one of the two") end
   if values.method ~= "gpts" then
     return both(('method = "%s"'):format(values.method), 'bonds are at contact points, write method = "gpts"')
   end

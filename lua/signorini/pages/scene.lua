@@ -80,6 +80,10 @@ half passes per current area, also with multipliers]],
 slip, away from the border of the contact, 3 (p + 1) elsewhere, chosen after each step; for penalty contact at contact
 points and for half passes. In 2D it saves little, because contact takes a small part of the time]],
     otherwise = "3 (p + 1), p the degree along the slave face, that of its layer if it has one, in 3D the higher one" },
+  { "wear", t.named(rows.wear), [[the slave's points wear by rate p |slip| as they slide (Archard), and touch at a gap
+that is less by this depth: the depth of both faces together. Geometry and stiffness do not change, so that the depth
+must be small compared with radii of curvature and the body. Without friction points slide with mu = 0]],
+    otherwise = "none" },
   { "adhesion", t.named {
     { "hamaker", t.positive, "Hamaker's constant", unit = "force times length" },
     { "r0", t.positive, "equilibrium distance of the potential", unit = "length" },
@@ -116,6 +120,7 @@ local function conflict_of_adhesion(values)
   for _, other in ipairs { "penalty", "friction" } do
     if values[other] then return both(other, "the van der Waals law is repulsive already") end
   end
+  if values.wear then return both("wear", "points at a distance do not slide") end
   if values.method == "mortar" then
     return both('method = "mortar"', "van der Waals forces act at contact points")
   end

@@ -154,16 +154,18 @@ local function unsettled(run, contact)
       counted(found.count, "time"), position(found.at))
 end
 
---- A sentence for a contact whose formula of friction is negative somewhere, or falls faster than its springs.
+local flaws = {
+  jumps = "friction jumps where a point begins to slip, since mu falls faster with the slip of a step than the tangential "
+    .. "penalty can follow: results depend on the steps. Hint: raise friction.penalty, or let mu fall over a longer slip",
+  negative = "the formula of mu is negative, which counts as 0. Hint: cut it off with sg.max(0, …)",
+  ["negative wear"] = "the formula of wear.rate is negative, which counts as 0. Hint: cut it off with sg.max(0, …)",
+}
+
+--- A sentence for a contact whose formula of friction or wear is negative somewhere, or falls faster than its springs.
 local function flawed(run, contact)
   local found = run.flawed[contact]
   if not found then return nil end
-  local what = found.flaw == "jumps"
-    and "friction jumps where a point begins to slip, since mu falls faster with the slip of a step than the "
-      .. "tangential penalty can follow: results depend on the steps. Hint: raise friction.penalty, or let mu fall "
-      .. "over a longer slip"
-    or "the formula of mu is negative, which counts as 0. Hint: cut it off with sg.max(0, …)"
-  return ("contact '%s': %s (%s in accepted states, the last time at X = (%s))"):format(contact, what,
+  return ("contact '%s': %s (%s in accepted states, the last time at X = (%s))"):format(contact, flaws[found.flaw],
     counted(found.count, "time"), position(found.at))
 end
 

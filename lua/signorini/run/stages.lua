@@ -118,9 +118,10 @@ local function check_duration(model, label, title, duration, options)
       .. "one of the two"):format(where, label))
   end
   for _, contact in ipairs(duration and {} or model:contact_names()) do
-    if model:contact_law(contact).of_rate then
-      core.fail(("%s: contacts.%s.friction.mu depends on v, but stage '%s' has no duration. Hint: write duration = its "
-        .. "length in time"):format(where, contact, title))
+    local formula = model:contact_law(contact).of_rate
+    if formula then
+      core.fail(("%s: contacts.%s.%s depends on v, but stage '%s' has no duration. Hint: write duration = its length in "
+        .. "time"):format(where, contact, formula, title))
     end
   end
 end

@@ -97,9 +97,12 @@ template <int D> int contact_law(const model::Model<D>& model, const std::string
   if (named.start.interference) set_field(L, "overlap", history.changes.overlap);
   if (contact::may_rub(law)) set_field(L, "friction_penalty", law.tangential);
   if (const auto& formula = law.coefficient)
-    set_fields(L, "mu_formula", contact::text_of(*formula), "of_rate", formula->of_rate);
+    set_field(L, "mu_formula", contact::text_of(*formula));
   else if (contact::may_rub(law))
     set_field(L, "mu", law.friction);
+  if (law.wear) set_field(L, "wear_rate", contact::text_of(*law.wear->rate));
+  if (contact::of_rate(law))
+    set_field(L, "of_rate", law.coefficient && law.coefficient->of_rate ? "friction.mu" : "wear.rate");
   return 1;
 }
 
@@ -117,6 +120,7 @@ template <int D> int contact_resultant(const model::Model<D>& model, const std::
   set_force<D>(L, sum.force);
   if (named.method.bond)
     set_field(L, "debonded", model.present.contacts[contact].debonding / named.method.bond->energy);
+  if (named.method.law.wear) set_field(L, "worn", model.present.contacts[contact].removed);
   const auto& multipliers = model.present.contacts[contact].multiplier_results;
   double weighted = 0;
   for (const auto& one : multipliers)
@@ -130,7 +134,8 @@ template <int D> int contact_resultant(const model::Model<D>& model, const std::
   if (formulation.parameters().by_formula()) {
     const auto& counters = formulation.counters;
     set_count("flawed", "flawed_at", counters.flawed, [&] { return counters.flawed_at; });
-    if (counters.flawed > 0) set_field(L, "flaw", counters.flaw == contact::FrictionFlaw::jumps ? "jumps" : "negative");
+    constexpr const char* flaws[] = {"none", "jumps", "negative", "negative wear"};
+    if (counters.flawed > 0) set_field(L, "flaw", flaws[static_cast<std::size_t>(counters.flaw)]);
   }
   set_count("unsettled", "unsettled_at", formulation.counters.unsettled,
             [&] { return formulation.counters.unsettled_at; });
@@ -145,6 +150,7 @@ template <int D> int profile(const model::Model<D>& model, const std::string& na
               all.pressure, "traction", all.traction, "gap", all.gap, "inside", all.inside, "state", all.state);
   if (!all.damage.empty()) set_field(L, "damage", all.damage);
   if (!all.mu.empty()) set_fields(L, "mu", all.mu, "slip", all.slip);
+  if (!all.worn.empty()) set_field(L, "worn", all.worn);
   if (D == 3)
     set_fields(L, "z", all.z, "Z", all.reference_z, "tx", all.traction_x, "ty", all.traction_y, "tz", all.traction_z);
   return 1;
@@ -195,7 +201,7 @@ template <int D> int sample(const model::Model<D>& model, lua_State* L) {
 template <int D> int energy(const model::Model<D>& model, lua_State* L) {
   const model::Energies now = model::energies(model);
   push_fields(L, "stored", now.stored, "contact", now.contact, "friction", now.friction, "work", now.work,
-              "area_growth", now.growth, "debonding", now.debonding);
+              "area_growth", now.growth, "debonding", now.debonding, "worn", now.worn);
   return 1;
 }
 

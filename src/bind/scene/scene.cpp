@@ -80,6 +80,21 @@ void read_coefficient(const Arguments& friction, contact::InterfaceLaw& law) {
   law.coefficient = contact::make_friction_formula({*mu.graph, mu.node});
 }
 
+/// k of wear: a number, or a formula.
+contact::Wear read_wear(const Arguments& wear) {
+  contact::Wear law;
+  law.update = choice<contact::WearUpdate>(wear.get<std::string>("update"), {"implicit", "explicit"});
+  if (wear.is("rate", LUA_TNUMBER)) {
+    symbolic::Graph graph(contact::friction_variables());
+    const int rate = graph.constant(wear.get<double>("rate"));
+    law.rate = contact::make_friction_formula({graph, rate});
+  } else {
+    const Symbol& rate = read_formula(wear, "rate", "friction");
+    law.rate = contact::make_friction_formula({*rate.graph, rate.node});
+  }
+  return law;
+}
+
 contact::Method read_method(const Arguments& a) {
   if (a.has("adhesion")) {
     const Arguments adhesion = a.table("adhesion");
@@ -97,6 +112,7 @@ contact::Method read_method(const Arguments& a) {
     read_coefficient(friction, law);
     law.tangential = friction.get("penalty", 0.0);
   }
+  if (a.has("wear")) law.wear = read_wear(a.table("wear"));
   law.enforcement = choice<contact::Enforcement>(a.get<std::string>("enforcement"), {"penalty", "multipliers"});
   if (a.has("cohesive")) {
     law.per = contact::TractionArea::reference;
@@ -155,9 +171,8 @@ template <int D> model::Contact<D> read_contact(SceneBuilder<D>& builder, const 
             "; self-contact is not available: use a face of the other body");
   contact.method = read_method(a);
   contact.adaptive_points = a.is("points", LUA_TSTRING);
-  const auto& formula = contact.method.law.coefficient;
-  require(!contact.adaptive_points || !formula || !formula->of_rate, a.name("points"),
-          " is \"auto\", but friction.mu depends on v, which points that begin to act do not know: give a number");
+  require(!contact.adaptive_points || !of_rate(contact.method.law), a.name("points"),
+          " is \"auto\", but a formula depends on v, which points that begin to act do not know: give a number");
   contact.points =
       a.has("points") && !contact.adaptive_points ? a.get<int>("points") : default_points(builder.scene, contact.slave);
   contact.where = read_region<D>(a, {"contacts", name});

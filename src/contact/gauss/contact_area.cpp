@@ -135,7 +135,7 @@ private:
     if (result.state != ContactState::open) return gap = result.gap;
     FacePoint<D> foot;
     const Projection<D> found = formulation_.master().project(result.position, history_.points[i].projection, foot);
-    return gap = found.foot == Foot::none ? no_gap : found.gap - formulation_.parameters().offset(i, history_.changes);
+    return gap = found.foot == Foot::none ? no_gap : found.gap - formulation_.parameters().offset(i, history_);
   }
 
   /// Length of a point's element.

@@ -86,7 +86,7 @@ template <int D> std::vector<double> gaps(const Formulation<D>& contact, const H
         contact.master().project(history.results[i].position, history.points[i].projection, foot);
     // Beyond an open end the distance has no sign.
     gaps.push_back((found.foot == Foot::none ? std::abs(found.gap) : found.gap) -
-                   contact.parameters().offset(i, history.changes));
+                   contact.parameters().offset(i, history));
   }
   return gaps;
 }
@@ -104,7 +104,7 @@ std::vector<int> crossed(const Formulation<D>& contact, const History<D>& presen
     const PointResult<D>& result = present.results[i];
     if (!acts(points, present, i) || result.beyond || touches(result.state)) continue;
     // Points at a distance of more than their approach need no test.
-    const double touching = parameters.offset(i, present.changes);
+    const double touching = parameters.offset(i, present);
     const double moved = (result.position - accepted.results[i].position).norm() + master_moved;
     const double least = point.cleared > 0 ? point.cleared - faces.travel + touching : point.projection.gap;
     if (moved <= 0 || least > moved) continue;

@@ -35,7 +35,7 @@ LocalGeometry<D> GaussPointContact<D>::geometry(std::size_t i, const Trial<D>& t
   faces_.master.functions(feet.foot, 1);
   LocalGeometry<D> geometry = point_geometry(points_, i, faces_, trial.present.results[i].position,
                                              trial.present.points[i].projection, feet.foot);
-  geometry.offset = parameters_.offset(i, trial.present.changes);
+  geometry.offset = parameters_.offset(i, trial.present);
   return geometry;
 }
 
@@ -45,7 +45,8 @@ void GaussPointContact<D>::record(std::size_t i, const Trial<D>& trial, const Lo
   PointResult<D>& result = trial.present.results[i];
   const double weight = points_.list[i].weight;
   result.state = force.state;
-  result.gap = geometry.gap - geometry.offset;
+  result.gap = geometry.gap - geometry.offset + force.worn;
+  result.worn = force.worn;
   // Cauchy tractions, whatever the area on which the law's act: t da = T dA
   result.pressure = force.pressure / force.stretch;
   for (int k = 0; k < D - 1; ++k) result.tangents.col(k) = geometry.slave_tangent[k];
@@ -93,7 +94,7 @@ std::optional<FixedContactState> GaussPointContact<D>::close(std::size_t i, cons
   if (fixed == FixedContactState::free && faces_.travel + controls.guessed < point.cleared) return {};
   const bool opposite = find_foot(i, trial, part, feet);
   const Foot foot = point.projection.foot;
-  const double distance = point.projection.gap - parameters_.offset(i, trial.present.changes) - reach;
+  const double distance = point.projection.gap - parameters_.offset(i, trial.present) - reach;
   // A point beyond an end of the master comes behind it without a way when the end turns.
   const bool clear = foot == Foot::regular && feet.foot.settled && distance > 0;
   point.cleared = clear ? faces_.travel + distance : 0;
@@ -108,9 +109,9 @@ LocalGeometry<D> GaussPointContact<D>::closed_geometry(std::size_t i, const Tria
   LocalGeometry<D> geometry = this->geometry(i, trial, feet);
   geometry.fixed_state = fixed;
   geometry.tie = trial.controls.tie();
-  if (law.coefficient || law.pressure)
+  if (law.coefficient || law.pressure || law.wear)
     geometry.interface = {trial.duration, point.slipped, point.recent, place_of(points_.reference[i])};
-  if (law.friction == 0) return geometry;
+  if (!slides(law)) return geometry;
   if (!point.slips) {
     // A newly closed point slips from where it touches or, without a forecast, from its foot in the accepted state.
     std::optional<MasterPoint<D>> from;
@@ -130,7 +131,7 @@ LocalGeometry<D> GaussPointContact<D>::closed_geometry(std::size_t i, const Tria
 template <int D>
 std::optional<MasterPoint<D>> GaussPointContact<D>::foresee_touch(std::size_t i, const Trial<D>& trial) const {
   const auto touching = [&](const History<D>& history) -> Touching<D> {
-    return {history.results[i].position, parameters_.offset(i, history.changes)};
+    return {history.results[i].position, parameters_.offset(i, history)};
   };
   return touch_point<D>(faces_.accepted, faces_.master, touching(trial.accepted), touching(trial.present),
                         trial.present.points[i].projection);

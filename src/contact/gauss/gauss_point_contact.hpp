@@ -63,6 +63,7 @@ private:
   bool is_near(const History<D>& present, std::span<const std::size_t> points, double distance) const;
   void evaluate_points(History<D>& present, const std::vector<std::size_t>& points, double penalty_factor);
   std::optional<MasterPoint<D>> foresee_touch(std::size_t i, const Trial<D>& trial) const;
+  void wear(History<D>& present, const History<D>& accepted) const;
   void release(History<D>& present, const History<D>& accepted, double tangential) const;
   void advance_slip_point(std::size_t i, History<D>& history, const History<D>& accepted,
                           const InterfaceLaw& law) const;

@@ -12,7 +12,7 @@ namespace signorini::contact {
 template <int D>
 void GaussPointContact<D>::commit(History<D>& present, const History<D>& accepted, double penalty_factor) {
   const InterfaceLaw law = parameters_.law_in(present.changes, penalty_factor);
-  if (law.friction > 0)
+  if (slides(law))
     for (std::size_t i = 0; i < points_.size(); ++i) advance_slip_point(i, present, accepted, law);
   else if (may_rub(*parameters_.law))
     release(present, accepted, parameters_.law_in(accepted.changes, penalty_factor).tangential);
@@ -74,6 +74,18 @@ void GaussPointContact<D>::advance_slip_point(std::size_t i, History<D>& history
   add_slip(point, result.state, slip_of_step);
 }
 
+/// Adds what the points have worn in an accepted step.
+template <int D> void GaussPointContact<D>::wear(History<D>& present, const History<D>& accepted) const {
+  const double share = parameters_.energy_share();
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    const PointResult<D>& result = present.results[i];
+    const double before = pressure_of(accepted, i) * accepted.results[i].area;
+    present.removed += share * result.area * result.worn;
+    present.worn += share * 0.5 * (before + pressure_of(present, i) * result.area) * result.worn;
+    present.points[i].worn += result.worn;
+  }
+}
+
 /// Evaluates the results of points at the displacements evaluated last, where the accepted state equals `present`.
 template <int D>
 void GaussPointContact<D>::evaluate_points(History<D>& present, const std::vector<std::size_t>& points,
@@ -95,6 +107,7 @@ void GaussPointContact<D>::evaluate_points(History<D>& present, const std::vecto
 
 template <int D>
 void GaussPointContact<D>::accept(History<D>& present, const History<D>& accepted, double penalty_factor) {
+  if (parameters_.law->wear) wear(present, accepted);
   double farthest = 0; // by which a point of the slave has approached the master
   const double master_moved = points_.sparse > 0 ? faces_.master_moved() : 0;
   for (std::size_t i = 0; i < points_.size() && points_.sparse > 0; ++i)
@@ -143,7 +156,7 @@ bool GaussPointContact<D>::is_near(const History<D>& present, std::span<const st
     const Projection<D> closest = faces_.master.project(present.results[i].position, point.projection, foot);
     // The sign at an end or a kink does not matter: contact is |g| away.
     const double gap = closest.foot == Foot::regular ? closest.gap : std::abs(closest.gap);
-    return gap - parameters_.offset(i, present.changes) < distance;
+    return gap - parameters_.offset(i, present) < distance;
   });
 }
 

@@ -70,6 +70,7 @@ std::vector<PointMemory<D>> memories(const Formulation<D>& contact, const Histor
                           point.limit / reference_area(contact.points().list[i]),
                           point.slipped,
                           point.recent,
+                          point.worn,
                           point.projection};
     if (point.slips) {
       FacePoint<D> slip, foot;
@@ -98,6 +99,12 @@ void recall(const std::vector<PointMemory<D>>& memories, const Formulation<D>& c
     const PointMemory<D>& closest = memories[nearest<D>(memories, all, place).front()];
     FaceGeometry<D> foot;
     point.projection = closest.projection;
+    if (contact.parameters().law->wear) {
+      const std::vector<std::size_t> near = nearest<D>(memories, all, place);
+      const std::vector<double> w = weights<D>(memories, near, place);
+      for (std::size_t k = 0; k < near.size(); ++k) point.worn += w[k] * memories[near[k]].worn;
+      point.worn = std::max(point.worn, 0.0);
+    }
     if (!closest.touches) continue;
     point.projection = contact.master().project(here, point.projection, foot);
     if (point.projection.foot == Foot::none) continue;

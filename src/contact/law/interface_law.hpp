@@ -16,6 +16,15 @@ namespace signorini::contact {
 /// The slave's area on which the tractions of a law act.
 enum class TractionArea : unsigned char { current, reference };
 
+/// The wear that acts on the pressure of a step: what its own slip adds (backward Euler), or what was there before.
+enum class WearUpdate : unsigned char { within, after };
+
+/// Depth k p Δγ by which a point wears as it slips; the face does not move, but touches at a gap that is less by it.
+struct Wear {
+  std::shared_ptr<const FrictionFormula> rate; ///< k, of the variables of a coefficient of friction; 1/pressure
+  WearUpdate update = WearUpdate::within;
+};
+
 /// How the contact conditions are enforced: by a penalty, or with Lagrange multipliers as unknowns (mortar contact).
 enum class Enforcement : unsigned char { penalty, multipliers };
 
@@ -31,6 +40,7 @@ struct InterfaceLaw {
   std::optional<Adhesion> adhesion = {};                ///< in place of the penalty: acts at any gap, without friction
   std::shared_ptr<const PressureFormula> pressure = {}; ///< in place of the penalty
   std::shared_ptr<const FrictionFormula> coefficient = {}; ///< in place of μ
+  std::optional<Wear> wear = {};
 };
 
 /// Adhesion acts on the reference area.
@@ -38,9 +48,17 @@ inline InterfaceLaw adhesive(const Adhesion& law) {
   return {.normal = 0, .per = TractionArea::reference, .adhesion = law};
 }
 
-/// True if friction acts or may act later.
+/// True if slip matters: friction or wear acts.
+inline bool slides(const InterfaceLaw& law) {
+  return law.friction > 0 || law.wear;
+}
+/// True if it does or may do so later.
 inline bool may_rub(const InterfaceLaw& law) {
-  return law.frictional || law.friction > 0;
+  return law.frictional || slides(law);
+}
+/// True if the law depends on the rate of slip, so that steps need a duration.
+inline bool of_rate(const InterfaceLaw& law) {
+  return (law.coefficient && law.coefficient->of_rate) || (law.wear && law.wear->rate->of_rate);
 }
 /// The law with the constants that a path has changed.
 InterfaceLaw changed(InterfaceLaw law, const Changes& changes);

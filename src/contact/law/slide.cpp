@@ -34,6 +34,15 @@ Slide<N> slide(const InterfaceLaw& law, const Vec<N>& trial, double pressure, Fi
   Slide<N> result;
   result.friction = trial;
   const double p = std::max(0.0, pressure), magnitude = trial.norm();
+  if (law.friction == 0) {
+    // Without friction, of points that wear: the trial is slip
+    result.state = ContactState::slip;
+    result.slipped = magnitude / law.tangential;
+    result.direction = magnitude > 0 ? Vec<N>(trial / magnitude) : Vec<N>(Vec<N>::Zero());
+    result.friction.setZero();
+    result.of_trial.setZero();
+    return result;
+  }
   const Coefficient onset = coefficient(law, p, 0, at);
   double limit = onset.value * p;
   result.mu = onset.value;

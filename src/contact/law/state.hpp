@@ -17,9 +17,9 @@ constexpr bool touches(ContactState state) {
 /// according to the friction law.
 enum class FixedContactState : unsigned char { free, open, touching, stick };
 
-/// What is wrong with a formula of friction at a point: friction jumps at the onset of slip, since it falls faster than
-/// its spring can follow; or the coefficient is negative, and counts as 0.
-enum class FrictionFlaw : unsigned char { none, jumps, negative };
+/// What is wrong with a formula of friction or wear at a point: friction jumps at the onset of slip, since it falls
+/// faster than its spring can follow; or the coefficient or the rate of wear is negative, and counts as 0.
+enum class FrictionFlaw : unsigned char { none, jumps, negative, grows };
 
 /// "open", "stick", "slip", "adhesion", "bonded".
 constexpr const char* name_of(ContactState state) {

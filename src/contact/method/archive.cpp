@@ -19,6 +19,9 @@ constexpr TractionArea last_value(std::type_identity<TractionArea>) {
 constexpr Enforcement last_value(std::type_identity<Enforcement>) {
   return Enforcement::multipliers;
 }
+constexpr WearUpdate last_value(std::type_identity<WearUpdate>) {
+  return WearUpdate::after;
+}
 constexpr Pass last_value(std::type_identity<Pass>) {
   return Pass::half;
 }
@@ -67,7 +70,7 @@ auto members(Adhesion& law) {
 }
 
 auto members(InterfaceLaw& law) {
-  auto& [normal, tangential, friction, per, enforcement, frictional, adhesion, pressure, coefficient] = law;
+  auto& [normal, tangential, friction, per, enforcement, frictional, adhesion, pressure, coefficient, wear] = law;
   return std::tie(normal, tangential, friction, per, enforcement, frictional, adhesion);
 }
 
@@ -80,15 +83,15 @@ auto members(Cohesion& law) {
 /// step.
 template <int D> auto members(PointResult<D>& result) {
   auto& [state, position, gap, beyond, settled, pressure, area, tangents, friction, force, law_area, potential, slipped,
-         mu, flaw] = result;
+         mu, flaw, worn] = result;
   return std::tie(state, gap, pressure, area, tangents, friction, force, law_area, potential, mu);
 }
 
 /// `cleared` is not stored, because settling resets it.
 template <int D> auto members(PointHistory<D>& point) {
-  auto& [projection, cleared, slips, slip, limit, slipped, recent] = point;
+  auto& [projection, cleared, slips, slip, limit, slipped, recent, worn] = point;
   auto& [foot, element, along, xi, gap, last] = projection;
-  return std::tie(foot, element, along, xi, gap, last, slips, slip.xi, slip.last, limit, slipped, recent);
+  return std::tie(foot, element, along, xi, gap, last, slips, slip.xi, slip.last, limit, slipped, recent, worn);
 }
 
 template <int D> auto members(PointBond<D>& bond) {
@@ -97,14 +100,15 @@ template <int D> auto members(PointBond<D>& bond) {
 }
 
 template <int D> auto members(MultiplierResult<D>& result) {
-  auto& [state, beyond, area, gap, pressure, potential, friction, components, elastic, slipped, mu, flaw] = result;
+  auto& [state, beyond, area, gap, pressure, potential, friction, components, elastic, slipped, mu, flaw, worn] =
+      result;
   return std::tie(state, area, gap, pressure, potential, friction, components, elastic, slipped, mu);
 }
 
 /// `cleared` is not stored, because settling resets it, nor `touch`, which belongs to a step.
 template <int D> auto members(MultiplierHistory<D>& multiplier) {
-  auto& [cleared, elastic, limit, touch, slipped, recent] = multiplier;
-  return std::tie(elastic, limit, slipped, recent);
+  auto& [cleared, elastic, limit, touch, slipped, recent, worn] = multiplier;
+  return std::tie(elastic, limit, slipped, recent, worn);
 }
 
 namespace {
@@ -177,31 +181,38 @@ Obstacle<3> read(ArchiveReader& from, std::type_identity<Obstacle<3>>) {
 
 void write(ArchiveWriter& to, const Method& method) {
   // `unknown` follows from material and mesh.
-  const auto& [pressure, coefficient] = std::tie(method.law.pressure, method.law.coefficient);
-  to.put(method.law, method.multipliers, method.pass, method.bond, pressure != nullptr, coefficient != nullptr);
+  const auto& [pressure, coefficient, wear] = std::tie(method.law.pressure, method.law.coefficient, method.law.wear);
+  to.put(method.law, method.multipliers, method.pass, method.bond, pressure != nullptr, coefficient != nullptr,
+         wear.has_value());
   if (pressure)
     to.put(std::isfinite(pressure->clearance), std::isfinite(pressure->clearance) ? pressure->clearance : 0,
            pressure->formula);
   if (coefficient) to.put(coefficient->formula);
+  if (wear) to.put(wear->rate->formula, wear->update);
 }
 
 Method read(ArchiveReader& from, std::type_identity<Method>) {
   Method method;
   from.into(method.law, method.multipliers, method.pass, method.bond);
-  const bool presses = from.get<bool>(), rubs = from.get<bool>();
+  const bool presses = from.get<bool>(), rubs = from.get<bool>(), wears = from.get<bool>();
   if (presses) {
     const bool bounded = from.get<bool>();
     const double given = from.get<double>(), clearance = bounded ? given : std::numeric_limits<double>::infinity();
     method.law.pressure = make_pressure_formula(symbolic::read_formula(from, pressure_variables()), clearance);
   }
-  if (rubs) method.law.coefficient = make_friction_formula(symbolic::read_formula(from, friction_variables()));
+  const auto slip_formula = [&] { return make_friction_formula(symbolic::read_formula(from, friction_variables())); };
+  if (rubs) method.law.coefficient = slip_formula();
+  if (wears) {
+    method.law.wear = {slip_formula()};
+    from.into(method.law.wear->update);
+  }
   return method;
 }
 
 template <int D> void write_history(ArchiveWriter& to, const History<D>& history) {
   const auto& [points, results, multipliers, multiplier_results, bonds, sparse, changes, dissipated, growth,
-               offset_work, debonding] = history;
-  to.put(changes, dissipated, growth, offset_work, debonding, static_cast<std::uint64_t>(points.size()));
+               offset_work, debonding, removed, worn] = history;
+  to.put(changes, dissipated, growth, offset_work, debonding, removed, worn, static_cast<std::uint64_t>(points.size()));
   for (const char element : sparse) to.put(element != 0);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const bool acts = results[i].area != 0;
@@ -227,8 +238,8 @@ template <int D> void check_feet(const PointHistory<D>& point, const Surface<D>*
 
 template <int D> void read_history(ArchiveReader& from, const Formulation<D>& formulation, History<D>& history) {
   auto& [points, results, multipliers, multiplier_results, bonds, sparse, changes, dissipated, growth, offset_work,
-         debonding] = history;
-  from.into(changes, dissipated, growth, offset_work, debonding);
+         debonding, removed, worn] = history;
+  from.into(changes, dissipated, growth, offset_work, debonding, removed, worn);
   const auto count = from.get<std::uint64_t>();
   require(count == points.size(), "contact.archive.points", {{"saved", count}, {"count", points.size()}});
   for (char& element : sparse) element = from.get<bool>();

@@ -112,23 +112,25 @@ template <int D> void MortarContact<D>::decide(const Trial<D>& trial) {
     std::optional<FixedContactState> closed;
     if (!far && !result.beyond) {
       result.area = own.sums.area;
-      result.gap = own.sums.gap / own.sums.area;
+      result.gap = own.sums.gap / own.sums.area + history.worn;
       // V*_A = s*_A V_A for a multiplier that is open in the accepted state and closed at the guess, with V_A of the
       // guess and the fraction s*_A of the step at which its gap closes on the way to it.
-      if (controls.foresees && frictional(trial.present) && own.sums.gap < 0 &&
+      if (controls.foresees && frictional(trial.present) && result.gap < 0 &&
           trial.accepted.multiplier_results[a].state == ContactState::open) {
-        own.fraction = touch_fraction(own.sums.before, own.sums.gap);
+        const double worn = history.worn * own.sums.area;
+        own.fraction = touch_fraction(own.sums.before + worn, own.sums.gap + worn);
         history.touch = own.fraction * (own.sums.slip / own.sums.area);
       }
       closed = controls.closed(a, result.gap - reach(law));
     }
     if (!closed) continue;
     FrictionControl control{*closed, controls.tie()};
-    if (law.coefficient || law.pressure)
+    if (law.coefficient || law.pressure || law.wear)
       control.interface = {trial.duration, history.slipped, history.recent,
                            place_of(points_.reference[multipliers_.points[a]])};
     own.tangent = mortar_law(law, own.sums, history, control, result);
     result.potential *= parameters_.energy_share();
+    result.gap += result.worn;
   }
 }
 
@@ -164,7 +166,7 @@ void MortarContact<D>::add_point(std::size_t i, int part, const Trial<D>& trial,
   const double* values = functions_.at_point(i);
   const double area = reference_area(own);
   // p = Σ M_A z_A, t_T = Σ M_A t_A; the state is that of the multiplier with the largest part of p
-  double pressure = 0, largest = -1;
+  double pressure = 0, largest = -1, worn = point.worn;
   Vec<D> friction = Vec<D>::Zero();
   weights.assign(on.size(), 0);
   for (std::size_t a = 0; a < on.size(); ++a) {
@@ -173,6 +175,7 @@ void MortarContact<D>::add_point(std::size_t i, int part, const Trial<D>& trial,
     const double share = values[a] * multiplier.pressure;
     pressure += share;
     friction += values[a] * multiplier.friction;
+    worn += values[a] * multiplier.worn;
     weights[a] = area * values[a];
     if (std::abs(share) <= largest) continue;
     largest = std::abs(share);
@@ -195,7 +198,7 @@ void MortarContact<D>::add_point(std::size_t i, int part, const Trial<D>& trial,
   force.tangent.noalias() += traction * measure_row;
   parts_[part].sums.add(points_, i, feet.foot, nullptr, force, tangent);
 
-  result.gap = projection.gap - geometry.offset;
+  result.gap = projection.gap - geometry.offset + worn;
   result.pressure = pressure;
   for (int k = 0; k < D - 1; ++k) result.tangents.col(k) = geometry.slave_tangent[k];
   result.friction = friction;
@@ -292,6 +295,24 @@ template <int D> void MortarContact<D>::advance(History<D>& present, const Histo
     PointHistory<D>& point = present.points[i];
     point.slips = !element_sums_.skipped(points_.list[i].element) && point.projection.foot != Foot::none;
     point.slip = point.projection.point();
+  }
+  if (parameters_.law->wear) wear(present, accepted);
+}
+
+/// Adds what the multipliers have worn in an accepted step.
+template <int D> void MortarContact<D>::wear(History<D>& present, const History<D>& accepted) const {
+  const double share = parameters_.energy_share();
+  for (std::size_t a = 0; a < present.multipliers.size(); ++a) {
+    const MultiplierResult<D>&result = present.multiplier_results[a], &last = accepted.multiplier_results[a];
+    present.removed += share * result.area * result.worn;
+    present.worn += share * 0.5 * (last.pressure * last.area + result.pressure * result.area) * result.worn;
+    present.multipliers[a].worn += result.worn;
+  }
+  for (std::size_t i = 0; i < present.points.size(); ++i) {
+    const auto on = functions_.on(points_.list[i].element);
+    double worn = 0;
+    for (std::size_t a = 0; a < on.size(); ++a) worn += functions_.at_point(i)[a] * present.multipliers[on[a]].worn;
+    present.points[i].worn = worn;
   }
 }
 

@@ -29,7 +29,7 @@ public:
 
 private:
   using Formulation<D>::faces_, Formulation<D>::points_, Formulation<D>::parameters_, Formulation<D>::blocks_;
-  bool frictional(const History<D>& history) const { return parameters_.friction(history.changes) > 0; }
+  bool frictional(const History<D>& history) const { return parameters_.slides(history.changes); }
   bool is_far(int multiplier, const Trial<D>& trial) const;
   double measure(std::size_t i, const Vec<D>& position) const;
   void weigh(std::size_t i, const Trial<D>& trial, FootPoints<D>& feet, double* seconds);
@@ -41,6 +41,7 @@ private:
   void move_slip_points(const Trial<D>& trial);
   void couple(bool frictional);
   void advance(History<D>& present, const History<D>& accepted) const;
+  void wear(History<D>& present, const History<D>& accepted) const;
   void release(History<D>& present, const History<D>& accepted, double tangential) const;
   void take_back(std::vector<Block>& blocks) override;
 

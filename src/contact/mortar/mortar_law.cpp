@@ -1,6 +1,6 @@
 #include "contact/mortar/mortar_law.hpp"
 
-#include "contact/law/slide.hpp"
+#include "contact/law/wear.hpp"
 
 #include <cmath>
 
@@ -47,7 +47,8 @@ template <int D> Vec<D> turned(const Frame<D>& frame, const FaceCoordinates<D>& 
 
 template <int D>
 void friction(const InterfaceLaw& law, const MultiplierSums<D>& sums, const MultiplierHistory<D>& history,
-              const FrictionControl& control, MultiplierResult<D>& result, MultiplierTangent<D>& tangent) {
+              const FrictionControl& control, GapResponse& response, MultiplierResult<D>& result,
+              MultiplierTangent<D>& tangent) {
   using Components = FaceCoordinates<D>;
   using Square = Eigen::Matrix<double, D - 1, D - 1>;
   const Frame<D> frame = frame_of(sums);
@@ -55,7 +56,11 @@ void friction(const InterfaceLaw& law, const MultiplierSums<D>& sums, const Mult
   const Vec<D> v = sums.slip / sums.area - history.touch;
   // Trial ε_T (η_A + e·V), V = V_A − V*_A
   const Components slip = e.transpose() * v, trial = law.tangential * (history.elastic + slip);
-  const Slide<D - 1> step = slide<D - 1>(law, trial, result.pressure, control.fixed, control.tie, control.interface);
+  const Rubbing<D - 1> rubbing =
+      rub<D - 1>(law, response, result.gap, trial, control.fixed, control.tie, control.interface);
+  const Slide<D - 1>& step = rubbing.slide;
+  response = rubbing.response;
+  result.worn = rubbing.worn;
   result.state = step.state;
   result.mu = step.mu;
   result.flaw = step.flaw;
@@ -63,13 +68,13 @@ void friction(const InterfaceLaw& law, const MultiplierSums<D>& sums, const Mult
   Square scale = Square::Identity(); // ∂traction/∂trial
   if (step.state == ContactState::slip) {
     scale = step.of_trial;
-    tangent.of_gap = (step.of_pressure * tangent.pressure) * (e * step.direction);
+    tangent.of_gap = (step.of_pressure * response.rate) * (e * step.direction);
   }
   result.components = traction;
   result.elastic = traction / law.tangential;
   result.slipped = (slip + history.elastic - result.elastic).norm();
   result.friction = e * traction;
-  result.potential += 0.5 * law.tangential * result.elastic.squaredNorm() * sums.area;
+  result.potential = (response.potential + 0.5 * law.tangential * result.elastic.squaredNorm()) * sums.area;
 
   // t = Σ_i t_i e_i,  δtrial_i = ε_T (e_i·δV + δe_i·V),  with δe_i of the frame
   const Eigen::Matrix<double, D, D - 1> stiff = law.tangential * e * scale;
@@ -82,6 +87,15 @@ void friction(const InterfaceLaw& law, const MultiplierSums<D>& sums, const Mult
   by_normal += by_spin * frame.spin_normal;
   tangent.of_normal = by_normal * frame.turn;
   tangent.of_along = by_spin * frame.spin_along;
+  if (rubbing.worn == 0) return;
+  // δz = … + of_trial·δtrial
+  const Vec<D> by_slip = law.tangential * (e * rubbing.of_trial), along = step.of_pressure * (e * step.direction);
+  const double by_turn = law.tangential * rubbing.of_trial.dot(spun);
+  const Vec<D> by_normals = frame.turn.transpose() * (by_turn * frame.spin_normal.transpose() - n.dot(v) * by_slip);
+  tangent.worn = {by_normals, by_slip, by_turn * frame.spin_along.transpose()};
+  tangent.of_normal += along * tangent.worn->of_normal.transpose();
+  tangent.of_slip += along * tangent.worn->of_slip.transpose();
+  tangent.of_along += along * tangent.worn->of_along.transpose();
 }
 
 } // namespace
@@ -91,14 +105,15 @@ MultiplierTangent<D> mortar_law(const InterfaceLaw& law, const MultiplierSums<D>
                                 const MultiplierHistory<D>& history, const FrictionControl& control,
                                 MultiplierResult<D>& result) {
   MultiplierTangent<D> tangent;
-  const GapResponse response = respond(law, result.gap, control.interface);
+  GapResponse response = respond(law, result.gap, control.interface);
   result.pressure = response.pressure;
-  tangent.pressure = response.rate;
   result.state = state_of(law, result.gap, result.pressure);
   result.potential = response.potential * sums.area;
   result.mu = law.coefficient ? 0 : law.friction;
-  if (law.friction > 0 && (result.pressure > 0 || control.fixed == FixedContactState::stick))
-    friction(law, sums, history, control, result, tangent);
+  if (slides(law) && (result.pressure > 0 || control.fixed == FixedContactState::stick))
+    friction(law, sums, history, control, response, result, tangent);
+  result.pressure = response.pressure;
+  tangent.pressure = response.rate;
   return tangent;
 }
 

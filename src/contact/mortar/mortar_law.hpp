@@ -4,6 +4,8 @@
 #include "contact/law/interface_law.hpp"
 #include "contact/point/history.hpp"
 
+#include <optional>
+
 namespace signorini::contact {
 
 /// Sums over the points k with a projection, with w_k their areas times M_A(k) of one multiplier. Areas
@@ -33,11 +35,16 @@ struct FrictionControl {
   Interface interface = {};
 };
 
-/// Derivatives of z_A and t_A with respect to ḡ_A, Σ w n̄, V_A = Σ w v/a_A and Σ w xˢ_,1; zero if open.
+/// Derivatives of z_A and t_A with respect to ḡ_A, Σ w n̄, V_A = Σ w v/a_A and Σ w xˢ_,1; zero if open. Those of z_A
+/// with respect to the last three are not zero where the multiplier wears.
 template <int D> struct MultiplierTangent {
   double pressure = 0; ///< ∂z/∂ḡ
   Vec<D> of_gap = Vec<D>::Zero();
   Mat<D> of_normal = Mat<D>::Zero(), of_slip = Mat<D>::Zero(), of_along = Mat<D>::Zero();
+  struct Pressure {
+    Vec<D> of_normal, of_slip, of_along;
+  };
+  std::optional<Pressure> worn = {};
 };
 
 /// The law of a closed multiplier, whose result has its area and gap: z_A = −ε_N ḡ_A > 0, and with n_A = Σ w n̄/‖·‖
@@ -45,7 +52,7 @@ template <int D> struct MultiplierTangent {
 ///   trial ε_T (η_A + V_A − V*_A), returned to |t_A| ≤ μ z_A,   η_A the elastic slip of the accepted state,
 /// V*_A the slip V_A of the step where the multiplier touches.
 /// η_A has components along e₁, the direction of Σ w xˢ_,1 in this plane, and e₂ = n_A × e₁ (3D), so that it
-/// turns with the slave.
+/// turns with the slave. A multiplier that slips wears (wear.hpp).
 template <int D>
 MultiplierTangent<D> mortar_law(const InterfaceLaw& law, const MultiplierSums<D>& sums,
                                 const MultiplierHistory<D>& history, const FrictionControl& control,

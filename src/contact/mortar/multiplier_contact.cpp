@@ -106,7 +106,7 @@ void MultiplierContact<D>::evaluate_point(std::size_t i, const Trial<D>& trial, 
   }
   const bool opposite = this->find_foot(i, trial, part, feet);
   const Foot foot = point.projection.foot;
-  const double distance = point.projection.gap - parameters_.offset(i, trial.present.changes);
+  const double distance = point.projection.gap - parameters_.offset(i, trial.present);
   point.cleared = foot == Foot::regular && feet.foot.settled && distance > 0 ? faces_.travel + distance : 0;
   if (!opposite || (foot != Foot::regular && point.projection.gap == 0)) {
     // Beyond an end the conditions do not count, but keep the system regular.
@@ -140,6 +140,7 @@ void MultiplierContact<D>::transmit(std::size_t i, const Trial<D>& trial, const 
   force.state = condition.state;
   force.mu = condition.mu;
   force.flaw = condition.flaw;
+  force.worn = condition.worn;
   force.potential = 0;
   force.pressure = n.dot(traction);
   force.friction = force.pressure * n - traction;

@@ -64,12 +64,18 @@ void add_factors(const MultiplierSums<D>& sums, const MultiplierTangent<D>& tang
   space.right.row(row) = tangent.pressure * gap_row;
   if (!frictional) return;
   const Vec<D> slip = sums.slip / sums.area;
+  const MatrixX slip_rows = x.template middleRows<D>(Rows::slip) - slip * x.row(Rows::area);
   auto directions = space.right.template middleRows<D>(row + 1);
   directions.noalias() = tangent.of_gap * gap_row;
   directions.noalias() += tangent.of_normal * x.template middleRows<D>(Rows::normal);
-  directions.noalias() +=
-      (tangent.of_slip / sums.area) * (x.template middleRows<D>(Rows::slip) - slip * x.row(Rows::area));
+  directions.noalias() += (tangent.of_slip / sums.area) * slip_rows;
   if constexpr (D == 3) directions.noalias() += tangent.of_along * x.template middleRows<D>(Rows::along);
+  if (const auto& worn = tangent.worn) {
+    space.right.row(row).noalias() += worn->of_normal.transpose() * x.template middleRows<D>(Rows::normal);
+    space.right.row(row).noalias() += (worn->of_slip.transpose() / sums.area) * slip_rows;
+    if constexpr (D == 3)
+      space.right.row(row).noalias() += worn->of_along.transpose() * x.template middleRows<D>(Rows::along);
+  }
   // f contains −t_A Σ w M_A J (−R, R̄)
   auto shares = space.left.template middleRows<D>(row + 1);
   shares.setZero();

@@ -1,6 +1,6 @@
 #include "contact/mortar/multiplier_law.hpp"
 
-#include "contact/law/slide.hpp"
+#include "contact/law/wear.hpp"
 
 namespace signorini::contact {
 
@@ -27,39 +27,48 @@ PointCondition<D> closed_condition(const InterfaceLaw& law, const LocalGeometry<
   }
   const Vec<D>& n = geometry.normal;
   const Mat<D> plane = Mat<D>::Identity() - n * n.transpose();
-  const double pressure = n.dot(multiplier), q = pressure - law.normal * g;
+  double q = n.dot(multiplier) - law.normal * g;
   // δq = λ·δn + n·δλ − ε_N δg,  c = q n − t − λ
-  const LocalRow<D> q_row = multiplier.transpose() * gap.normal - law.normal * gap.gap;
-  condition.residual = q * n - multiplier;
-  condition.of_multiplier = n * n.transpose() - Mat<D>::Identity();
-  condition.rows = n * q_row + q * gap.normal;
-  if (law.friction > 0 && geometry.slip_point) {
+  LocalRow<D> q_row = multiplier.transpose() * gap.normal - law.normal * gap.gap;
+  Eigen::Matrix<double, 1, D> q_of_multiplier = n.transpose();
+  Vec<D> friction = Vec<D>::Zero();
+  LocalBlock<D> friction_rows = LocalBlock<D>::Zero();
+  Mat<D> friction_of_multiplier = Mat<D>::Zero();
+  if (slides(law) && geometry.slip_point) {
     // y = T x,  δy = T δx − (n·x) δn − n (x·δn),  x = ε_T v − λ
     const Vec<D> x = law.tangential * (geometry.master->position - *geometry.slip_point) - multiplier, y = plane * x;
     LocalBlock<D> slip = LocalBlock<D>::Zero();
     slip.template middleCols<D>(Force::master_column).setIdentity();
     slip.template middleCols<D>(Force::slip_column).diagonal().setConstant(-1);
     for (int a = 0; a < D - 1; ++a) slip.noalias() += geometry.master->tangent[a] * shift.row(a);
-    LocalBlock<D> rows =
-        law.tangential * (plane * slip) - (n.dot(x) * Mat<D>::Identity() + n * x.transpose()) * gap.normal;
-    Mat<D> of_multiplier = -plane;
-    const Slide<D> step = slide<D>(law, y, q, geometry.fixed_state, geometry.tie, geometry.interface);
+    friction_rows = law.tangential * (plane * slip) - (n.dot(x) * Mat<D>::Identity() + n * x.transpose()) * gap.normal;
+    friction_of_multiplier = -plane;
+    const Rubbing<D> rubbing =
+        rub<D>(law, {q, -law.normal, 0}, g, y, geometry.fixed_state, geometry.tie, geometry.interface);
+    const Slide<D>& step = rubbing.slide;
     condition.mu = step.mu;
     condition.flaw = step.flaw;
+    if (rubbing.worn != 0) {
+      condition.worn = rubbing.worn;
+      q = rubbing.response.pressure;
+      q_row = rubbing.of_held * q_row + rubbing.of_trial.transpose() * friction_rows;
+      q_of_multiplier = rubbing.of_held * q_of_multiplier + rubbing.of_trial.transpose() * friction_of_multiplier;
+    }
     if (step.state == ContactState::slip) {
       condition.state = ContactState::slip;
       condition.slipped = step.slipped;
-      rows = step.of_trial * rows;
-      of_multiplier = step.of_trial * of_multiplier;
+      friction_rows = step.of_trial * friction_rows;
+      friction_of_multiplier = step.of_trial * friction_of_multiplier;
       if (step.of_pressure != 0) {
-        rows += (step.of_pressure * step.direction) * q_row;
-        of_multiplier += (step.of_pressure * step.direction) * n.transpose();
+        friction_rows += (step.of_pressure * step.direction) * q_row;
+        friction_of_multiplier += (step.of_pressure * step.direction) * q_of_multiplier;
       }
     }
-    condition.residual -= step.friction;
-    condition.rows -= rows;
-    condition.of_multiplier -= of_multiplier;
+    friction = step.friction;
   }
+  condition.residual = q * n - multiplier - friction;
+  condition.of_multiplier = n * q_of_multiplier - Mat<D>::Identity() - friction_of_multiplier;
+  condition.rows = n * q_row + q * gap.normal - friction_rows;
   return condition;
 }
 

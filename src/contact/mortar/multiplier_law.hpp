@@ -17,6 +17,7 @@ template <int D> struct PointCondition {
   double slipped = 0;                         ///< Δγ of a point that slips: (|y| − μ q)/ε_T
   double mu = 0;                              ///< see Slide
   FrictionFlaw flaw = FrictionFlaw::none;     ///< see Slide
+  double worn = 0;                            ///< depth by which the point wears in the step
 };
 
 /// An open point: c = −λ.

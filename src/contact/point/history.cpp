@@ -22,6 +22,7 @@ template <int D> Resultant<D> resultant(const History<D>& history) {
     ++sum.active;
     if (point.state == ContactState::slip) ++sum.slipping;
   }
+  for (const PointHistory<D>& point : history.points) sum.max_wear = std::max(sum.max_wear, point.worn);
   return sum;
 }
 

@@ -25,6 +25,7 @@ template <int D> struct PointResult {
   double slipped = 0;                     ///< of multipliers: by how far the trial slip is outside of Coulomb's cone
   double mu = 0;                          ///< coefficient of friction, see Slide
   FrictionFlaw flaw = FrictionFlaw::none; ///< see Slide
+  double worn = 0;                        ///< depth by which it wears in the step
 };
 
 /// `area` per `law_area`: the law's pressure is `pressure` times this.
@@ -40,6 +41,7 @@ template <int D> struct PointHistory {
   MasterPoint<D> slip;
   double limit = 0;               ///< μ t_N times the area in the accepted state
   double slipped = 0, recent = 0; ///< slip since the touch, and since the last whole step in which it stuck
+  double worn = 0;                ///< depth by which it has worn; of mortar contact Σ M_A w_A
 };
 
 /// Bond of one contact point: history and result.
@@ -64,6 +66,7 @@ template <int D> struct MultiplierResult {
   double slipped = 0;                                         ///< since the accepted state
   double mu = 0;                                              ///< coefficient of friction, see Slide
   FrictionFlaw flaw = FrictionFlaw::none;                     ///< see Slide
+  double worn = 0;                                            ///< w_A of the step
 };
 
 /// History of one multiplier.
@@ -71,8 +74,8 @@ template <int D> struct MultiplierHistory {
   double cleared = 0; ///< value of Faces::travel up to which all its points stay open
   FaceCoordinates<D> elastic = FaceCoordinates<D>::Zero(); ///< slip of its spring in the accepted state
   double limit = 0;                                        ///< μ z_A a_A in the accepted state
-  Vec<D> touch = Vec<D>::Zero();  ///< V*_A: the part of V_A before the multiplier touches in the present step
-  double slipped = 0, recent = 0; ///< as those of a point
+  Vec<D> touch = Vec<D>::Zero();            ///< V*_A: the part of V_A before the multiplier touches in the present step
+  double slipped = 0, recent = 0, worn = 0; ///< as those of a point
 };
 
 /// One entry per contact point in the first two lists, one per multiplier in the others.
@@ -91,6 +94,8 @@ template <int D> struct History {
   /// work of changing offsets o, ∫∫ t_N do dA.
   double dissipated = 0, growth = 0, offset_work = 0;
   double debonding = 0; ///< energy that bonds have dissipated
+  /// Of wear: volume ∫∫ dw da, and the energy ∫∫ t_N dw da that leaves with it, by the trapezoidal rule.
+  double removed = 0, worn = 0;
 };
 
 /// Adds the slip of an accepted step to a history of a point or multiplier; one that does not touch forgets its own.
@@ -114,6 +119,7 @@ template <int D> double growth(const MultiplierResult<D>& before, const Multipli
 template <int D> struct Resultant {
   Vec<D> force = Vec<D>::Zero(); ///< of the master on the slave
   double max_pressure = 0, max_penetration = 0;
+  double max_wear = 0; ///< greatest depth of wear, also of open points
   int active = 0, slipping = 0;
 };
 template <int D> Resultant<D> resultant(const History<D>& history);

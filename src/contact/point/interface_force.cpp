@@ -1,6 +1,6 @@
 #include "contact/point/interface_force.hpp"
 
-#include "contact/law/slide.hpp"
+#include "contact/law/wear.hpp"
 
 namespace signorini::contact {
 
@@ -12,39 +12,46 @@ template <int D, class Visit> void each_range(const Visit& visit) {
   visit.template operator()<LocalForce<D>::master_column, D * D>();
 }
 
-/// Subtracts the friction of a point with a slip point from its traction, with the response to its gap.
+/// The trial friction ε_T (xᵐ(ξ̄) − xᵐ(ξ_sl)) of a point with a slip point (thesis 3.74), both on the current master.
+template <int D> Vec<D> trial_friction(const InterfaceLaw& law, const LocalGeometry<D>& geometry) {
+  return law.tangential * (geometry.master->position - *geometry.slip_point);
+}
+
 template <int D>
-void rub(const InterfaceLaw& law, const LocalGeometry<D>& geometry, const LocalRow<D>& gap, double rate,
-         LocalForce<D>& result, LocalBlock<D>& traction_rows) {
+LocalBlock<D> trial_rows(const InterfaceLaw& law, const LocalGeometry<D>& geometry, const LocalShift<D>& shift) {
   using Force = LocalForce<D>;
-  const FacePoint<D>& master = *geometry.master;
-  // Trial t_T = ε_T (xᵐ(ξ̄) − xᵐ(ξ_sl)) (thesis 3.74), both on the current master
-  const Vec<D> trial = law.tangential * (master.position - *geometry.slip_point);
-  LocalBlock<D> trial_rows = LocalBlock<D>::Zero();
+  LocalBlock<D> rows = LocalBlock<D>::Zero();
   each_range<D>([&]<int From, int Count>() {
     for (int a = 0; a < D - 1; ++a)
-      trial_rows.template middleCols<Count>(From) +=
-          (law.tangential * master.tangent[a]) * result.shift.row(a).template middleCols<Count>(From);
+      rows.template middleCols<Count>(From) +=
+          (law.tangential * geometry.master->tangent[a]) * shift.row(a).template middleCols<Count>(From);
   });
-  trial_rows.template middleCols<D>(Force::master_column).diagonal().array() += law.tangential;
-  trial_rows.template middleCols<D>(Force::slip_column).diagonal().setConstant(-law.tangential);
+  rows.template middleCols<D>(Force::master_column).diagonal().array() += law.tangential;
+  rows.template middleCols<D>(Force::slip_column).diagonal().setConstant(-law.tangential);
+  return rows;
+}
 
-  const Slide<D> step = slide<D>(law, trial, result.pressure, geometry.fixed_state, geometry.tie, geometry.interface);
-  result.state = step.state;
-  result.mu = step.mu;
-  result.flaw = step.flaw;
-  result.friction = step.friction;
-  result.potential += step.friction.squaredNorm() / (2 * law.tangential); // |t_T|²/(2 ε_T)
+/// Subtracts the friction of a point with a slip point from the derivatives of its traction.
+template <int D>
+void subtract_friction(const InterfaceLaw& law, const Rubbing<D>& rubbing, const LocalGeometry<D>& geometry,
+                       const LocalRow<D>& gap, const LocalShift<D>& shift, LocalBlock<D>& traction_rows) {
+  using Force = LocalForce<D>;
+  const LocalBlock<D> trial = trial_rows(law, geometry, shift);
+  const Slide<D>& step = rubbing.slide;
   if (step.state == ContactState::stick) {
-    traction_rows -= trial_rows;
+    traction_rows -= trial;
     return;
   }
   each_range<D>([&]<int From, int Count>() {
     traction_rows.template middleCols<Count>(From) -=
-        (step.of_pressure * rate * step.direction) * gap.template middleCols<Count>(From) +
-        step.of_trial * trial_rows.template middleCols<Count>(From);
+        (step.of_pressure * rubbing.response.rate * step.direction) * gap.template middleCols<Count>(From) +
+        step.of_trial * trial.template middleCols<Count>(From);
   });
   traction_rows.template middleCols<D>(Force::slip_column) = law.tangential * step.of_trial;
+  // δp = … + of_trial·δt* by wear
+  if (rubbing.worn != 0)
+    traction_rows.noalias() +=
+        (geometry.normal - step.of_pressure * step.direction) * (rubbing.of_trial.transpose() * trial);
 }
 
 } // namespace
@@ -54,8 +61,29 @@ void interface_force(const InterfaceLaw& law, const LocalGeometry<D>& geometry, 
   const Vec<D>& n = geometry.normal;
   const double g = geometry.gap - geometry.offset;
   const GapRows<D> rows = gap_rows(geometry, result.shift);
-  const GapResponse response = respond(law, g, geometry.interface);
+  GapResponse response = respond(law, g, geometry.interface);
 
+  result.state = state_of(law, g, response.pressure);
+  result.friction.setZero();
+  result.mu = law.coefficient ? 0 : law.friction;
+  result.flaw = FrictionFlaw::none;
+  result.worn = 0;
+  result.potential = response.potential;
+  // A point with a fixed state may be in tension, where Coulomb's limit does not exist.
+  const bool rubs = response.pressure > 0 || geometry.fixed_state == FixedContactState::stick;
+  std::optional<Rubbing<D>> rubbing;
+  if (slides(law) && geometry.slip_point && rubs) {
+    rubbing =
+        rub<D>(law, response, g, trial_friction(law, geometry), geometry.fixed_state, geometry.tie, geometry.interface);
+    response = rubbing->response;
+    result.state = rubbing->slide.state;
+    result.mu = rubbing->slide.mu;
+    result.flaw = rubbing->slide.flaw;
+    result.worn = rubbing->worn;
+    result.friction = rubbing->slide.friction;
+    // |t_T|²/(2 ε_T)
+    result.potential = response.potential + result.friction.squaredNorm() / (2 * law.tangential);
+  }
   // δ(p n̄) = p′ δg n̄ + p δn̄
   result.pressure = response.pressure;
   LocalBlock<D> traction_rows = LocalBlock<D>::Zero();
@@ -63,15 +91,7 @@ void interface_force(const InterfaceLaw& law, const LocalGeometry<D>& geometry, 
     traction_rows.template middleCols<Count>(From) = result.pressure * rows.normal.template middleCols<Count>(From) +
                                                      (response.rate * n) * rows.gap.template middleCols<Count>(From);
   });
-  result.state = state_of(law, g, response.pressure);
-  result.friction.setZero();
-  result.mu = law.coefficient ? 0 : law.friction;
-  result.flaw = FrictionFlaw::none;
-  result.potential = response.potential;
-  // A point with a fixed state may be in tension, where Coulomb's limit does not exist.
-  const bool rubs = result.pressure > 0 || geometry.fixed_state == FixedContactState::stick;
-  if (law.friction > 0 && geometry.slip_point && rubs)
-    rub(law, geometry, rows.gap, response.rate, result, traction_rows);
+  if (rubbing) subtract_friction(law, *rubbing, geometry, rows.gap, result.shift, traction_rows);
   const Vec<D> traction = result.pressure * n - result.friction;
 
   LocalRow<D> measure_row;

@@ -42,6 +42,7 @@ template <int D> struct LocalForce {
   Vec<D> friction;                           ///< t_T; the traction on the slave is t_N n̄ − t_T
   double mu = 0;                             ///< see Slide
   FrictionFlaw flaw = FrictionFlaw::none;    ///< see Slide
+  double worn = 0;                           ///< depth by which the point wears in the step
   double measure;                            ///< area, per parametric area, on which the traction acts
   double stretch;                            ///< current area per area on which the traction acts
   Vec<D> force;                              ///< (t_N n̄ − t_T) · measure

@@ -24,13 +24,18 @@ struct Parameters {
   double offset(std::size_t i, const Changes& changes) const {
     return offset(changes) - (overlap.empty() ? 0 : changes.overlap * overlap[i]);
   }
+  /// The same in a state: what the point has lost by wear is missing.
+  template <class History> double offset(std::size_t i, const History& history) const {
+    return offset(i, history.changes) - history.points[i].worn;
+  }
   /// The penalty law in a state, with its penalty parameters times a factor. Requires a law.
   InterfaceLaw law_in(const Changes& changes, double factor = 1) const {
     return scaled(changed(*law, changes), factor);
   }
   /// Coulomb's μ and the penalty parameter ε_N (0: none), which warnings and the diagnosis compare with usual values.
   double friction(const Changes& changes) const { return law ? changed(*law, changes).friction : 0; }
-  bool by_formula() const { return law && law->coefficient; }
+  bool slides(const Changes& changes) const { return law && contact::slides(changed(*law, changes)); }
+  bool by_formula() const { return law && (law->coefficient || law->wear); }
   double penalty(const Changes& changes) const { return law ? changed(*law, changes).normal : 0; }
   /// Both half passes compute the whole energy of the springs and the whole work of friction between the faces: each
   /// counts half.

@@ -113,12 +113,13 @@ public:
     if (old.multipliers.empty()) return result;
     // Multipliers carry the friction; slips of the next step start at the feet on the new shape, at all points.
     for (contact::PointHistory<D>& point : result.points) point.slips = false;
-    // Elastic slip, limit and slips of each multiplier
-    MatrixX values(D + 2, old.multipliers.size());
+    // Elastic slip, limit, slips and wear of each multiplier
+    MatrixX values(D + 3, old.multipliers.size());
     for (std::size_t a = 0; a < old.multipliers.size(); ++a) {
       const contact::MultiplierHistory<D>& one = old.multipliers[a];
       const double area = old.multiplier_results[a].area;
-      values.col(static_cast<Eigen::Index>(a)) << one.elastic, area > 0 ? one.limit / area : 0, one.slipped, one.recent;
+      values.col(static_cast<Eigen::Index>(a)) << one.elastic, area > 0 ? one.limit / area : 0, one.slipped, one.recent,
+          one.worn;
     }
     const MatrixX carried = (*multipliers_[k])(values);
     result.multipliers.assign(own.multipliers()->count(), {});
@@ -130,6 +131,7 @@ public:
       one.limit = std::max(0.0, column(D - 1)); // μ z_A; times a_A once that is evaluated
       one.slipped = std::max(0.0, column(D));
       one.recent = std::max(0.0, column(D + 1));
+      one.worn = std::max(0.0, column(D + 2));
     }
     return result;
   }

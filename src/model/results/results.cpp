@@ -67,6 +67,7 @@ template <int D> Energies energies(const Model<D>& model) {
     sum.contact += contact::potential(history);
     sum.friction += history.dissipated;
     sum.debonding += history.debonding;
+    sum.worn += history.worn;
     sum.growth += history.growth;
     sum.work += history.offset_work;
   }

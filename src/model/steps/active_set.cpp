@@ -93,7 +93,7 @@ template <int D> typename ActiveSet<D>::Entry ActiveSet<D>::entry(const Historie
       entry.closed += is_closed(entry.states.back());
       // All that were closed in the last evaluation are projected in each.
       entry.gaps.push_back(points ? history.points[i].projection.gap -
-                                        contacts_[k].parameters->offset(static_cast<std::size_t>(i), history.changes)
+                                        contacts_[k].parameters->offset(static_cast<std::size_t>(i), history)
                                   : history.multiplier_results[i].gap);
       const Vec<D>& friction = points ? history.results[i].friction : history.multiplier_results[i].friction;
       entry.frictions.push_back(one.state == contact::ContactState::slip ? friction : Vec<D>(Vec<D>::Zero()));

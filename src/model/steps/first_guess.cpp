@@ -73,7 +73,7 @@ template <int D> bool begins_friction(const Model<D>& model) {
   const auto& contacts = model.system.contacts;
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     const auto& present = model.present.contacts[k];
-    if (contacts[k]->parameters().friction(present.changes) > 0 && resultant(model.accepted.contacts[k]).active == 0 &&
+    if (contacts[k]->parameters().slides(present.changes) && resultant(model.accepted.contacts[k]).active == 0 &&
         resultant(present).active > 0)
       return true;
   }

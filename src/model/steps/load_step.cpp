@@ -139,7 +139,7 @@ template <int D> bool LoadStep<D>::is_decisive() const {
   if (step_.guess_evaluated && !only_obstacles) return false;
   const auto& contacts = model.system.contacts;
   for (std::size_t k = 0; k < contacts.size(); ++k)
-    if (contacts[k]->parameters().friction(model.present.contacts[k].changes) > 0) return true;
+    if (contacts[k]->parameters().slides(model.present.contacts[k].changes)) return true;
   return false;
 }
 

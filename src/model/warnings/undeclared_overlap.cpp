@@ -13,12 +13,13 @@ namespace signorini::model {
 
 namespace {
 
-/// What a contact declares of its faces' overlap: penetrations, gaps by negative offsets, and overlaps of the initial
-/// shapes that are allowed.
+/// What a contact declares of its faces' overlap: penetrations, gaps by negative offsets, wear, and overlaps of the
+/// initial shapes that are allowed.
 template <int D> double declared_overlap(const contact::Formulation<D>& contact, const contact::History<D>& history) {
   double overlap = 0;
   for (const double depth : contact.parameters().overlap) overlap = std::max(overlap, depth);
-  return contact::resultant(history).max_penetration + std::abs(contact.parameters().offset(history.changes)) + overlap;
+  const contact::Resultant<D> sum = contact::resultant(history);
+  return sum.max_penetration + sum.max_wear + std::abs(contact.parameters().offset(history.changes)) + overlap;
 }
 
 /// True if a side lies on the axis of revolution, where the other half of the body is behind it.

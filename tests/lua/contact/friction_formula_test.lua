@@ -153,7 +153,7 @@ check.case("what is refused", function()
   refused({ static = 0.2, kinetic = 0.3, over = 1 }, {}, nil, nil, "static = 0.2 is less than kinetic = 0.3")
   refused(function(p) return 0.1 + p end, {}, { { steps = 1, contacts = { floor = { friction = { mu = 0 } } } } }, nil,
     "the mu of contacts.floor is a formula")
-  refused(rate, { points = "auto" }, nil, nil, 'contacts.floor.points is "auto", but friction.mu depends on v')
+  refused(rate, { points = "auto" }, nil, nil, 'contacts.floor.points is "auto", but a formula depends on v')
   local model = block(0.1)
   model:run { press }
   check.fails(function() model:set_time(0.5) end, "the time 0.5 is not one at or after that of the accepted state, 1")

@@ -107,8 +107,16 @@ check.case("rough joint: springs in series", function()
   end
 end)
 
+check.case("worn pin: Archard's scars of a cylinder and a sphere", function()
+  for _, row in ipairs(results("worn_pin", "elements=24", "solid=6", "steps=16").rows) do
+    check.within("by depth", row[3] / row[2], 1, 0.015)
+    check.within("volume", row[6], 0, 2.5)
+  end
+end)
+
 check.case("wrong arguments are errors", function()
   check.refused("objects/brake_pad", { ["over=0"] = "over", ["speeds=-1"] = "speeds", ["steps=1"] = "steps" })
+  check.refused("objects/worn_pin", { ["scar=2"] = "scar", ["solid=2"] = "solid", ["force=0"] = "force" })
   check.refused("objects/rough_joint", { ["exponents=0.5"] = "exponents", ["elements=0"] = "elements" })
   check.refused("objects/roller", { ["mu=0"] = "mu", ["travel=2"] = "travel", ["steps=4"] = "steps" })
   check.refused("objects/belt", { ["h=0"] = "h", ["mu=1"] = "mu", ["elements=2"] = "elements", ["turn=0"] = "turn" })
