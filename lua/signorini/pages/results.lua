@@ -98,7 +98,8 @@ still allowed; with method = "mortar" multipliers; of a cohesive contact strengt
 the number of points with a bond; with adhesion { method, per, points, active, hamaker, r0 }. print(model) shows
 them.]],
     arguments = { a_contact },
-    returns = t.record("method per", t.text, "enforcement? multipliers? law? mu_formula? pressure? wear_rate? of_rate?", t.text,
+    returns = t.record("method per", t.text, "enforcement? multipliers? law?", t.text,
+      "mu_formula? pressure? wear_rate? of_rate?", t.text,
       "points bonded?", t.count,
       "penalty? mu? friction_penalty? hamaker? r0? strength? energy? stiffness? offset? overlap? clearance?", t.number,
       "active default_penalty?", t.flag),
@@ -110,13 +111,14 @@ the largest mean pressure over a slave element (where elements or a high penalty
 to the peak than max_pressure); the numbers of contact points that touch and slip; and per, "current" or "reference",
 the area on which tractions act; of mortar contact with a penalty also weighted_penetration, the largest of its
 multipliers; of a cohesive contact debonded, the area of new surface: energy dissipated by bonds over energy of
-separation; with wear worn, the volume that has been worn off, which half passes share; with "half_passes" also imbalance, |f + f2| / max(|f|, |f2|) with the force f2 of the other pass: by how
-much action and reaction differ, 0 without forces. unsettled: how often, in all accepted states so far, the search for a
-closest point or slip point ended at the limit of iterations; unsettled_at is the reference position of the latest such
-point. With a formula of friction or wear flawed: how often it was negative at a point, or fell faster with the slip
-than the tangential penalty can follow; flaw, "negative", "negative wear" or "jumps", and flawed_at tell the latest.
-crossed: how many points have passed through the master without contact since the accepted state, 0 in accepted states;
-crossed_at is the reference position of the last of them.]],
+separation; with wear worn, the volume that has been worn off, which half passes share; with "half_passes" also
+imbalance, |f + f2| / max(|f|, |f2|) with the force f2 of the other pass: by how much action and reaction differ, 0
+without forces. unsettled: how often, in all accepted states so far, the search for a closest point or slip point ended
+at the limit of iterations; unsettled_at is the reference position of the latest such point. With a formula of friction
+or wear flawed: how often it was negative at a point, or fell faster with the slip than the tangential penalty can
+follow; flaw, "negative", "negative wear" or "jumps", and flawed_at tell the latest. crossed: how many points have
+passed through the master without contact since the accepted state, 0 in accepted states; crossed_at is the reference
+position of the last of them.]],
     arguments = { a_contact },
     returns = t.record("fx fy", t.number, "fz?", t.number, "area max_pressure mean_pressure max_penetration", t.number,
       "weighted_penetration? imbalance? debonded? worn?", t.number, "active slipping unsettled crossed", t.integer(0),
