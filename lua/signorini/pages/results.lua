@@ -70,10 +70,10 @@ contact points of a slave face, on which xi must be]] },
 and that of springs of supports; energy of penalty springs and bonds, or of adhesion; and, summed over accepted steps
 (trapezoidal rule), dissipation by friction; work of supports, of loads and of changing offsets and overlaps of
 contacts; energy of the penalty springs times the growth of the area on which they act, zero for contacts with per =
-"reference"; dissipation by bonds; energy that material
-takes along as it wears, pressure times depth. Per unit depth in plane strain. Where nothing changes suddenly, as when a contact is
-switched off, work + area_growth = stored + contact + friction + debonding + worn in the limit of small steps (with
-friction: and of small penetration): see share/doc/reference/theory.md, Output quantities.]],
+"reference"; dissipation by bonds; energy that material takes along as it wears, pressure times depth. Per unit depth in
+plane strain. Where nothing changes suddenly, as when a contact is switched off, work + area_growth = stored + contact +
+friction + debonding + worn in the limit of small steps (with friction: and of small penetration): see
+share/doc/reference/theory.md, Output quantities.]],
     returns = t.record("stored contact friction work area_growth debonding worn", t.number),
     example = "model:energy().stored" },
   { "model:reaction", [[Returns the force {fx, fy} ({fx, fy, fz} in 3D) that a support exerts on its bodies, followed,
@@ -91,12 +91,11 @@ as far as its support frees them, and its angle if that is free. Empty for other
   { "model:contact_law", [[Returns the constants of a contact: { method, enforcement, per, points, penalty,
 default_penalty, active, offset }, as given to sg.model or by default, in the present state; default_penalty is true
 where the penalty is from material and mesh. With friction also mu, friction_penalty, with a formula of it mu_formula,
-its text, in place of mu; with wear wear_rate, its text; of_rate, "friction.mu" or "wear.rate", if that depends on v; with a formula of
-the pressure pressure, its text, and
-clearance, in place of penalty; with overlap = "interference" overlap, the fraction of the initial overlap that is
-still allowed; with method = "mortar" multipliers; of a cohesive contact strength, energy, law, stiffness, and bonded,
-the number of points with a bond; with adhesion { method, per, points, active, hamaker, r0 }. print(model) shows
-them.]],
+its text, in place of mu; with wear wear_rate, its text; of_rate, "friction.mu" or "wear.rate", if that depends on v;
+with a formula of the pressure pressure, its text, and clearance, in place of penalty; with overlap = "interference"
+overlap, the fraction of the initial overlap that is still allowed; with method = "mortar" multipliers; of a cohesive
+contact strength, energy, law, stiffness, and bonded, the number of points with a bond; with adhesion { method, per,
+points, active, hamaker, r0 }. print(model) shows them.]],
     arguments = { a_contact },
     returns = t.record("method per", t.text, "enforcement? multipliers? law?", t.text,
       "mu_formula? pressure? wear_rate? of_rate?", t.text,
