@@ -92,6 +92,8 @@ inline constexpr int most_rounds = 5;
 inline constexpr double mistaken_overlap = 0.2;
 /// Offset relative to the thinner body's thickness above which a warning is given.
 inline constexpr double large_offset = 0.2;
+/// Depth of wear relative to the thickness of the slave's body above which a warning is given.
+inline constexpr double much_wear = 0.1;
 /// Penetration relative to the thickness of the master's body above which the opposite face is suggested.
 inline constexpr double whole_depth = 0.9;
 /// Overlap with a rigid obstacle relative to the body's size that is due to rounding error and inexact geometry.

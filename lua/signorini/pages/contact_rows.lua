@@ -31,8 +31,8 @@ with a warning]] }
 
 --- Wear of a contact in sg.model.
 rows.wear = {
-  { "rate", t.either(t.non_negative, t.callback), [[depth per pressure and slip. function(p, v, slip, X, Y, Z) (those that
-it needs) that returns a formula of the same variables as friction.mu]], unit = "1/pressure" },
+  { "rate", t.either(t.non_negative, t.callback), [[depth per pressure and slip. function(p, v, slip, X, Y, Z) (those
+that it needs) that returns a formula of the same variables as friction.mu]], unit = "1/pressure" },
   { "update", t.choice { "implicit", "explicit" }, [[implicit: the wear of a step acts on its pressure (backward Euler).
 explicit: that of the steps before; unstable where rate × slip of a step × stiffness of the contact exceeds 2]],
     default = "implicit" },

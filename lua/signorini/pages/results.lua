@@ -51,8 +51,8 @@ also of a closed point without friction, "slip", "adhesion", "bonded": not close
 pressure, negative in tension, and traction include those of the bonds. Pressure and traction are forces per current
 area, whatever `per` of the contact is; with method = "mortar" `area`, pressure and traction refer to the reference
 area. Where friction is a formula at contact points also mu, the coefficient where the point slips or would begin to,
-and slip, since the touch. With wear worn, its depth. In 3D also z, Z, and tx, ty, tz, the components of the friction traction t_T, whose
-magnitude is `traction`; -t_T acts on the slave. Reading any other field is an error.]],
+and slip, since the touch. With wear worn, its depth. In 3D also z, Z, and tx, ty, tz, the components of the friction
+traction t_T, whose magnitude is `traction`; -t_T acts on the slave. Reading any other field is an error.]],
     arguments = { a_contact },
     returns = t.record("x y X Y area inside pressure traction gap", t.numbers(), "state", t.list(t.text),
       "z? Z? tx? ty? tz?", t.numbers(), "damage? mu? slip? worn?", t.numbers()),
@@ -66,9 +66,9 @@ contact points of a slave face, on which xi must be]] },
       { "xi", t.worded(t.point, "a list of 2 numbers {xi1, xi2}, in 3D of 3"), "parametric coordinates" },
     },
     returns = t.number, example = "model:sample(\"slab\", \"uy\", {0.5, 1})" },
-  { "model:energy", [[Returns { stored, contact, friction, work, area_growth, debonding, worn }: strain energy of the bodies,
-and that of springs of supports; energy of penalty springs and bonds, or of adhesion; and, summed over accepted steps
-(trapezoidal rule), dissipation by friction; work of supports, of loads and of changing offsets and overlaps of
+  { "model:energy", [[Returns { stored, contact, friction, work, area_growth, debonding, worn }: strain energy of the
+bodies, and that of springs of supports; energy of penalty springs and bonds, or of adhesion; and, summed over accepted
+steps (trapezoidal rule), dissipation by friction; work of supports, of loads and of changing offsets and overlaps of
 contacts; energy of the penalty springs times the growth of the area on which they act, zero for contacts with per =
 "reference"; dissipation by bonds; energy that material takes along as it wears, pressure times depth. Per unit depth in
 plane strain. Where nothing changes suddenly, as when a contact is switched off, work + area_growth = stored + contact +

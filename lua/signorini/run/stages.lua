@@ -120,8 +120,8 @@ local function check_duration(model, label, title, duration, options)
   for _, contact in ipairs(duration and {} or model:contact_names()) do
     local formula = model:contact_law(contact).of_rate
     if formula then
-      core.fail(("%s: contacts.%s.%s depends on v, but stage '%s' has no duration. Hint: write duration = its length in "
-        .. "time"):format(where, contact, formula, title))
+      core.fail(("%s: contacts.%s.%s depends on v, but stage '%s' has no duration. Hint: write duration = its length "
+        .. "in time"):format(where, contact, formula, title))
     end
   end
 end

@@ -1,6 +1,7 @@
 #include "model/warnings/state_warnings.hpp"
 
 #include "model/warnings/beyond_ends.hpp"
+#include "model/warnings/deep_wear.hpp"
 #include "model/warnings/penetration.hpp"
 #include "model/warnings/resolution.hpp"
 #include "model/warnings/small_strain.hpp"
@@ -26,6 +27,7 @@ template <int D> std::vector<Message> state_warnings(Model<D>& model, bool every
     warn_of_instability(model, warnings);
   }
   warn_of_ends(model, warnings);
+  warn_of_deep_wear(model, warnings);
   return warnings;
 }
 

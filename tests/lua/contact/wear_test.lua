@@ -108,6 +108,13 @@ check.case("a saved model goes on with its wear", function()
   end
 end)
 
+check.case("a warning of wear that is deep in the body, and none otherwise", function()
+  for depth, warned in pairs{ [0.02] = false, [0.3] = true } do
+    local run = block({ rate = depth / 0.2 }):run{ { name = "slide", steps = 1, disc = 1 } }
+    check.equal(lists.any(run.warnings, function(text) return text:find("the wear of", 1, true) ~= nil end), warned)
+  end
+end)
+
 check.case("what is refused, and a warning of a negative rate", function()
   local function refused(wear, keys, ...) check.fails(function() block(wear, true, keys) end, ...) end
   refused({ rate = -1 }, nil, "contacts.floor.wear.rate")
