@@ -66,6 +66,7 @@ local function law_text(law)
   end
   if law.pressure then parts[#parts + 1] = "pressure = " .. law.pressure end
   if law.mu_formula then parts[#parts + 1] = "mu = " .. law.mu_formula end
+  if law.wear_rate then parts[#parts + 1] = "wear.rate = " .. law.wear_rate end
   if law.bonded then parts[#parts + 1] = counted(law.bonded, "bonded point") end
   if law.offset and law.offset ~= 0 then parts[#parts + 1] = ("offset = %.4g"):format(law.offset) end
   if law.overlap then
