@@ -120,7 +120,7 @@ template <int D> void GaussPointContact<D>::choose_points(History<D>& present, d
     if (sparse[e] == present.sparse[e]) continue;
     recall(memories<D>(*this, present, before), *this, after, present);
     for (const std::size_t i : before) {
-      present.growth -= present.results[i].potential;
+      present.growth -= potential(*this, present, i);
       present.points[i] = {};
       present.results[i] = {};
     }
@@ -128,7 +128,7 @@ template <int D> void GaussPointContact<D>::choose_points(History<D>& present, d
   }
   present.sparse = sparse;
   evaluate_points(present, all, penalty_factor);
-  for (const std::size_t i : all) present.growth += present.results[i].potential;
+  for (const std::size_t i : all) present.growth += potential(*this, present, i);
 }
 
 /// True if one of some open points is nearer to contact than a distance. Where its bound does not tell, the point is

@@ -313,9 +313,11 @@ void MortarContact<D>::release(History<D>& present, const History<D>& accepted, 
 template <int D> double MortarContact<D>::stiffness(const History<D>& history, double penalty_factor) const {
   const InterfaceLaw law = parameters_.law_in(history.changes, penalty_factor);
   double sum = 0;
-  for (const MultiplierResult<D>& result : history.multiplier_results) {
-    const double slope = contact::stiffness(law, result.gap, {});
-    if (result.state != ContactState::open) sum += result.area * slope * result.area * slope;
+  for (int a = 0; a < functions_.count(); ++a) {
+    const MultiplierResult<D>& result = history.multiplier_results[a];
+    if (result.state == ContactState::open) continue;
+    const double slope = contact::stiffness(law, result.gap, place_of(points_.reference[multipliers_.points[a]]));
+    sum += result.area * slope * result.area * slope;
   }
   return std::sqrt(sum);
 }

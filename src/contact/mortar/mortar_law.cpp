@@ -95,7 +95,7 @@ MultiplierTangent<D> mortar_law(const InterfaceLaw& law, const MultiplierSums<D>
   result.pressure = response.pressure;
   tangent.pressure = response.rate;
   result.state = state_of(law, result.gap, result.pressure);
-  result.potential = response.potential * sums.area;
+  result.potential = law.pressure ? 0 : energy(law, result.gap, {}) * sums.area;
   result.mu = law.coefficient ? 0 : law.friction;
   if (law.friction > 0 && (result.pressure > 0 || control.fixed == FixedContactState::stick))
     friction(law, sums, history, control, result, tangent);

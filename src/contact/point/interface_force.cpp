@@ -67,7 +67,7 @@ void interface_force(const InterfaceLaw& law, const LocalGeometry<D>& geometry, 
   result.friction.setZero();
   result.mu = law.coefficient ? 0 : law.friction;
   result.flaw = FrictionFlaw::none;
-  result.potential = response.potential;
+  result.potential = law.pressure ? 0 : energy(law, g, {});
   // A point with a fixed state may be in tension, where Coulomb's limit does not exist.
   const bool rubs = result.pressure > 0 || geometry.fixed_state == FixedContactState::stick;
   if (law.friction > 0 && geometry.slip_point && rubs)
