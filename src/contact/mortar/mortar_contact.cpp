@@ -310,6 +310,17 @@ void MortarContact<D>::release(History<D>& present, const History<D>& accepted, 
   for (PointHistory<D>& point : present.points) point.slips = false;
 }
 
+/// Σ M_A μ_A and Σ M_A γ_A
+template <int D> PointFriction MortarContact<D>::friction_at(const History<D>& history, std::size_t i) const {
+  PointFriction sum{};
+  const double* value = functions_.at_point(i);
+  for (const int a : functions_.on(points_.list[i].element)) {
+    sum.mu += *value * history.multiplier_results[a].mu;
+    sum.slip += *value++ * history.multipliers[a].slipped;
+  }
+  return sum;
+}
+
 template <int D> double MortarContact<D>::stiffness(const History<D>& history, double penalty_factor) const {
   const InterfaceLaw law = parameters_.law_in(history.changes, penalty_factor);
   double sum = 0;
