@@ -32,10 +32,11 @@ local function scene(mu)
   }
 end
 
-local function slid(mu, steps, distance, duration)
+local function slid(mu, steps, distance, duration, watch)
   local model = scene(mu)
-  local run = model:run{ { name = "press", steps = 4, holder = -0.1, duration = duration and 1 },
-                         { name = "slide", steps = steps, disc = distance, duration = duration } }
+  local run = model:run({ { name = "press", steps = 4, holder = -0.1, duration = duration and 1 },
+                         { name = "slide", steps = steps, disc = distance, duration = duration } },
+                       { on_step = watch and function(info) watch(model, info) end })
   if run.failed then error(run.failure, 0) end
   return model, run
 end
@@ -43,9 +44,25 @@ end
 -- ── Static and kinetic friction ──────────────────────────────────────────────────────────────────────────────────────
 
 local curves, rows = {}, {}
-local state
+local peak_state, last_state
+
+local function picture(model, field, label, title, range)
+  return sg.picture{ model = model, field = field, label = label, title = title, range = range,
+                     axes = { "x (mm)", "y (mm)" } }
+end
+
+--- Draws mu at the first step in which the drag falls.
+local last_drag = 0
+local function watch(model, info)
+  local drag = math.abs(info["lining.fx"])
+  if not peak_state and info.stage == "slide" and drag < last_drag then
+    peak_state = picture(model, "mu", "coefficient of friction", "At the peak of the drag", { kinetic, static })
+  end
+  last_drag = drag
+end
+
 for i, over in ipairs(options.over) do
-  local model, run = slid({ static = static, kinetic = kinetic, over = over }, options.steps, travel)
+  local model, run = slid({ static = static, kinetic = kinetic, over = over }, options.steps, travel, nil, watch)
   local x, fx, fy, ratio, peak = run:column "disc.ux", run:column "lining.fx", run:column "lining.fy", {}, 0
   for row = 1, #x do
     ratio[row] = math.abs(fx[row]) / fy[row]
@@ -54,8 +71,7 @@ for i, over in ipairs(options.over) do
   local steady = kinetic + (static - kinetic) * math.exp(-travel / over)
   rows[i] = { over, peak, ratio[#ratio], steady }
   curves[i] = { x = x, y = ratio, label = ("over %g mm"):format(over), markers = false }
-  state = state or sg.picture{ model = model, field = "von_mises", label = "von Mises stress (MPa)",
-                               axes = { "x (mm)", "y (mm)" }, title = "Brake pad, sliding" }
+  last_state = last_state or picture(model, "von_mises", "von Mises stress (MPa)", "After 2 mm")
 end
 print(sg.table{ columns = { "over", "largest drag / force", "at the end", "mu there" }, units = { "mm", "", "", "" },
                 formats = { "%g", "%.4f", "%.4f", "%.4f" }, rows = rows })
@@ -84,7 +100,7 @@ sg.chart{ file = files "speed.png", title = "Friction by speed", xlabel = "speed
           ylabel = "drag / pressing force", log = "x",
           { x = exact.x, y = exact.y, label = "μ(v)", markers = false },
           { x = options.speeds, y = measured, label = "pad", line = false, markers = true } }
-sg.sheet{ { state }, file = files "states.png" }
+sg.sheet{ { peak_state or last_state }, { last_state }, file = files "states.png" }
 files:report()
 
 return { rows = rows, speeds = measured, worst = worst }

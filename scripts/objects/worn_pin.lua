@@ -84,7 +84,7 @@ end
 local curves, rows, pictures = {}, {}, {}
 for i, solid in ipairs{ false, true } do
   local model, run, rate, a = worn(solid, solid and options.solid or options.elements, options.scar)
-  local s, area, volume, exact = run:column "disc.ux", run:column "scar.area", run:column "scar.worn", {}
+  local s, area, volume, exact = run:column "disc.ux", run:column "scar.area", run:column "scar.worn_volume", {}
   local share = solid and 4 or 2
   for row = 1, #s do
     local lost = rate * options.force * s[row]

@@ -232,8 +232,12 @@ template <int D> view::Panel show(const model::Model<D>& model, const Showing& s
   const auto& contacts = model.system.scene.contacts;
   const bool found =
       !on_faces || std::ranges::any_of(contacts, [&](const auto& contact) { return has(contact, *on_faces); });
-  const bool is_damage = on_faces == model::FaceField::damage;
-  require(found || (D == 2 && !is_damage), is_damage ? "figure.field.cohesive" : "figure.field.contact",
+  const bool any_contact = on_faces == model::FaceField::pressure;
+  require(found || (D == 2 && any_contact),
+          any_contact                            ? "figure.field.contact"
+          : on_faces == model::FaceField::damage ? "figure.field.cohesive"
+          : on_faces == model::FaceField::worn   ? "figure.field.wear"
+                                                 : "figure.field.friction",
           {{"field", showing.field}});
   const model::Field<D>* field = showing.field.empty() || on_faces ? nullptr : &model::find_field<D>(showing.field);
   view::Panel panel;

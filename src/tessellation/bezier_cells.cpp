@@ -180,7 +180,7 @@ BezierCells contact_cells(const Model<D>& model, int contact, std::size_t face, 
 
   const std::vector<std::vector<double>> places(D - 1, solid::gauss_legendre(definition.points, 0, 1).points);
   std::vector<model::FaceField> fields;
-  for (const model::FaceField field : {model::FaceField::pressure, model::FaceField::damage})
+  for (const model::FaceField field : model::face_fields)
     if (has(definition, field)) fields.push_back(field);
   std::vector<MatrixX> values;
   for (const model::FaceField field : fields) values.push_back(contact_point_values(model, field, contact, face));

@@ -28,8 +28,8 @@ struct BezierCells {
 /// Gauss points per direction of each element, p the cell's degrees.
 template <int D> BezierCells bezier_cells(const Model<D>& model, int body, bool deformed);
 
-/// The sides of a body's cells on the slave face of a contact, with all fields, and contact_pressure and damage where
-/// the contact has them, the least-squares fit of the cell's degrees to the values at the contact points of an element.
+/// The sides of a body's cells on the slave face of a contact, with all fields, and those of model::FaceField that
+/// the contact has, the least-squares fit of the cell's degrees to the values at the contact points of an element.
 /// `cells` are those of the slave's body.
 template <int D>
 BezierCells contact_cells(const Model<D>& model, int contact, std::size_t face, const BezierCells& cells);

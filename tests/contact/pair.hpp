@@ -86,7 +86,7 @@ public:
   Resultant<D> resultant() const { return contact::resultant(present_); }
   double area() const { return contact_area(*formulation_, present_, false, 1).area; }
   double stiffness() const { return formulation_->stiffness(present_, factor_); }
-  double potential() const { return contact::potential(present_); }
+  double potential() const { return contact::potential(*formulation_, present_); }
   double dissipated() const { return accepted_.dissipated; }
   std::vector<double> gaps() const { return contact::gaps(*formulation_, present_); }
 

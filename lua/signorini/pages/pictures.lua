@@ -98,7 +98,8 @@ depending on the file's name ("x-%04d.png", "x.mp4"), as in sg.film]], optional 
       of_models { "field", field, [[displacements ux uy u (length); Cauchy stresses (force per area) sxx syy szz sxy,
 von_mises, pressure (-tr sigma/3), I1 (tr sigma: the first invariant of the stress, not of C); deformation gradient (no
 unit) F11 F12 F21 F22 F33; for solids also uz sxz syz F13 … F32; contact_pressure (force per current area) on
-slave faces, and damage (of bonds, 0 to 1) on those of cohesive contacts, in the plane as a band
+slave faces, damage (of bonds, 0 to 1) on those of cohesive contacts, mu (coefficient of friction) and slip (since the
+touch, a length) on those of contacts with friction, worn (depth, a length) on those with wear, in the plane as a band
 along them. Stresses are evaluated at the points drawn, neither extrapolated nor averaged, so that jumps between
 elements are visible]], otherwise = "gray" },
       { "factor", t.number, "multiplies the field", default = 1, needs = { "field", "fields" } },

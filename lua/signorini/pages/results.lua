@@ -50,9 +50,11 @@ also of a closed point without friction, "slip", "adhesion", "bonded": not close
 |traction| = mu pressure (mortar: at each multiplier). A cohesive contact also has damage, from 0 to 1 (no bond); its
 pressure, negative in tension, and traction include those of the bonds. Pressure and traction are forces per current
 area, whatever `per` of the contact is; with method = "mortar" `area`, pressure and traction refer to the reference
-area. Where friction is a formula at contact points also mu, the coefficient where the point slips or would begin to,
-and slip, since the touch. With wear worn, its depth. In 3D also z, Z, and tx, ty, tz, the components of the friction
-traction t_T, whose magnitude is `traction`; -t_T acts on the slave. Reading any other field is an error.]],
+area. With friction also mu, the coefficient with which a touching point slips or, of a formula, would begin to, and
+slip, since the touch, without the elastic slip of the penalty; with method = "mortar" and a penalty both are
+interpolated between multipliers, as is the pressure. With wear worn, its depth. In 3D also z, Z, and tx, ty, tz, the
+components of the friction traction t_T, whose magnitude is `traction`; -t_T acts on the slave. Reading any other field
+is an error.]],
     arguments = { a_contact },
     returns = t.record("x y X Y area inside pressure traction gap", t.numbers(), "state", t.list(t.text),
       "z? Z? tx? ty? tz?", t.numbers(), "damage? mu? slip? worn?", t.numbers()),
@@ -61,20 +63,20 @@ traction t_T, whose magnitude is `traction`; -t_T acts on the slave. Reading any
     arguments = {
       { "body", t.either(t.object "body", t.name(function(model) return model:body_names() end)),
         "a body or its name" },
-      { "field", t.choice(core.fields), [[as in sg.picture; contact_pressure and damage are interpolated between the
-contact points of a slave face, on which xi must be]] },
+      { "field", t.choice(core.fields), [[as in sg.picture; contact_pressure, damage, mu and slip are interpolated
+between the contact points of a slave face, on which xi must be]] },
       { "xi", t.worded(t.point, "a list of 2 numbers {xi1, xi2}, in 3D of 3"), "parametric coordinates" },
     },
     returns = t.number, example = "model:sample(\"slab\", \"uy\", {0.5, 1})" },
-  { "model:energy", [[Returns { stored, contact, friction, work, area_growth, debonding, worn }: strain energy of the
+  { "model:energy", [[Returns { stored, contact, friction, work, area_growth, debonding, wear }: strain energy of the
 bodies, and that of springs of supports; energy of penalty springs and bonds, or of adhesion; and, summed over accepted
 steps (trapezoidal rule), dissipation by friction; work of supports, of loads and of changing offsets and overlaps of
 contacts; energy of the penalty springs times the growth of the area on which they act, zero for contacts with per =
 "reference"; dissipation by bonds; energy that material takes along as it wears, pressure times depth. Per unit depth in
 plane strain. Where nothing changes suddenly, as when a contact is switched off, work + area_growth = stored + contact +
-friction + debonding + worn in the limit of small steps (with friction: and of small penetration): see
+friction + debonding + wear in the limit of small steps (with friction: and of small penetration): see
 share/doc/reference/theory.md, Output quantities.]],
-    returns = t.record("stored contact friction work area_growth debonding worn", t.number),
+    returns = t.record("stored contact friction work area_growth debonding wear", t.number),
     example = "model:energy().stored" },
   { "model:reaction", [[Returns the force {fx, fy} ({fx, fy, fz} in 3D) that a support exerts on its bodies, followed,
 for a support that rotates, by the moment about its center (in 3D about the axis); for a load, its force. Also by name:
@@ -109,19 +111,19 @@ slipping, per, unsettled, crossed }: the force on the slave (fz in 3D); the curr
 the largest mean pressure over a slave element (where elements or a high penalty do not resolve the peak, it is closer
 to the peak than max_pressure); the numbers of contact points that touch and slip; and per, "current" or "reference",
 the area on which tractions act; of mortar contact with a penalty also weighted_penetration, the largest of its
-multipliers; of a cohesive contact debonded, the area of new surface: energy dissipated by bonds over energy of
-separation; with wear worn, the volume that has been worn off, which half passes share; with "half_passes" also
-imbalance, |f + f2| / max(|f|, |f2|) with the force f2 of the other pass: by how much action and reaction differ, 0
-without forces. unsettled: how often, in all accepted states so far, the search for a closest point or slip point ended
-at the limit of iterations; unsettled_at is the reference position of the latest such point. With a formula of friction
-or wear flawed: how often it was negative at a point, or fell faster with the slip than the tangential penalty can
-follow; flaw, "negative", "negative wear" or "jumps", and flawed_at tell the latest. crossed: how many points have
-passed through the master without contact since the accepted state, 0 in accepted states; crossed_at is the reference
-position of the last of them.]],
+multipliers; with friction slip, the mean slip since the touch over the area of the points that touch; of a cohesive
+contact debonded, the area of new surface: energy dissipated by bonds over energy of separation; with wear worn_volume,
+the volume that has been worn off, which half passes share; with "half_passes" also imbalance, |f + f2| / max(|f|, |f2|)
+with the force f2 of the other pass: by how much action and reaction differ, 0 without forces. unsettled: how often, in
+all accepted states so far, the search for a closest point or slip point ended at the limit of iterations; unsettled_at
+is the reference position of the latest such point. With a formula of friction or wear flawed: how often it was negative
+at a point, or fell faster with the slip than the tangential penalty can follow; flaw, "negative", "negative wear" or
+"jumps", and flawed_at tell the latest. crossed: how many points have passed through the master without contact since
+the accepted state, 0 in accepted states; crossed_at is the reference position of the last of them.]],
     arguments = { a_contact },
     returns = t.record("fx fy", t.number, "fz?", t.number, "area max_pressure mean_pressure max_penetration", t.number,
-      "weighted_penetration? imbalance? debonded? worn?", t.number, "active slipping unsettled crossed", t.integer(0),
-      "flawed?", t.integer(0), "per", t.text, "flaw?", t.text, "unsettled_at? crossed_at? flawed_at?", t.point),
+      "weighted_penetration? imbalance? slip? debonded? worn_volume?", t.number,
+      "active slipping unsettled crossed flawed?", t.integer(0), "per", t.text, "flaw?", t.text, "unsettled_at? crossed_at? flawed_at?", t.point),
     example = "model:contact_resultant(\"interface\").area" },
   { "model:tie_profile", [[Returns lists along the slave face of a tie, one entry per quadrature point opposite the
 master: x, y (current), X, Y (reference), area (reference area with the point's weight), tx, ty (traction of the master

@@ -144,11 +144,11 @@ patch]], optional = true },
     more = [[
 At points: displacement; stress (Cauchy: XX YY ZZ XY YZ XZ), von_mises, pressure (-tr sigma/3) and F (11 12 … 33), exact
 at the p + 1 Gauss points per direction of each element and not smoothed between elements. The slave faces of the
-contacts follow after the bodies, as cells of one dimension less, with the same fields and contact_pressure, of
-cohesive contacts also damage (nan elsewhere): a least-squares fit at the contact points of each element, which may be
-negative near the end of contact; model:profile has the values themselves. Cells have the numbers body and contact (0
-for elements of bodies); body_names, contact_names list the names. VTK 9.1, ParaView 5.10 or newer. A plane model is in
-z = 0; in an axisymmetric model, ZZ is the hoop direction.
+contacts follow after the bodies, as cells of one dimension less, with the same fields and contact_pressure, of cohesive
+contacts also damage, with friction mu and slip (nan elsewhere): a least-squares fit at the contact points of each
+element, which may be negative near the end of contact; model:profile has the values themselves. Cells have the numbers
+body and contact (0 for elements of bodies); body_names, contact_names list the names. VTK 9.1, ParaView 5.10 or newer.
+A plane model is in z = 0; in an axisymmetric model, ZZ is the hoop direction.
 Linear cells have the same arrays, with values at their corners, which lie on the exact geometry; elements do not share
 points.]],
     example = { [[sg.vtu{ model = model, file = "state.vtu" }]],

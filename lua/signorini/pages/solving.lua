@@ -84,7 +84,8 @@ model keeps the last accepted state. Reasons:
 run:column "grip.fx" is a list over the steps; print(run) is a short table; run:csv(file) writes all columns: step,
 increments, iterations, wall; <support>.fx, .fy, in 3D .fz, .moment if it rotates, .ux, .uy, .uz, .angle if driven, or
 free of an obstacle; <load>.fx …, .tx …, .pressure, .bx …, .px …, .moment or .factor; <contact>.fx … (force on the
-slave), .area, .max_pressure, .max_penetration.
+slave), .area, .max_pressure, .max_penetration, with friction .slip (mean over the area of points that touch), of
+cohesive contacts .debonded.
 Source: Newton's steps (4.33) to (4.35), freeze_active_set 4.5.2 of V. Agrawal, thesis, IIT Guwahati, 2020;
 arc_length: E. Riks, J. Appl. Mech. 39 (1972), H. B.
 Keller, in Applications of Bifurcation Theory, Academic Press, 1977.]],

@@ -32,7 +32,9 @@ end
 
 --- True if contact has acted: without it, work and stored energy can both be rounding errors, as in a rigid motion.
 local function acts(list)
-  return lists.any(list, function(state) return state.contact ~= 0 or state.friction ~= 0 or state.debonding ~= 0 or state.worn ~= 0 end)
+  return lists.any(list, function(state)
+    return state.contact ~= 0 or state.friction ~= 0 or state.debonding ~= 0 or state.wear ~= 0
+  end)
 end
 
 --- What is missing in the balance between two states of a path, positive if energy is lost. Tractions do not do the
@@ -40,7 +42,7 @@ end
 function energy_balance.missing(before, after)
   local function change(name) return after[name] - before[name] end
   return change "work" + change "area_growth" - change "stored" - change "contact" - change "friction"
-    - change "debonding" - change "worn"
+    - change "debonding" - change "wear"
 end
 
 --- The contact whose bonds lose most energy within one step of some steps of a run, the energy, and its law; nil
@@ -77,7 +79,7 @@ function energy_balance.warning(run, list, unbalanced)
     local a, b = list[i], list[i + 1]
     if not b then return nil end -- resumed from a file without these
     local done, stored = b.work - a.work, b.stored - a.stored
-    local dissipated = b.friction - a.friction + b.debonding - a.debonding + b.worn - a.worn
+    local dissipated = b.friction - a.friction + b.debonding - a.debonding + b.wear - a.wear
     local missing = math.abs(energy_balance.missing(a, b)) - math.max(math.abs(a.contact), math.abs(b.contact))
     local last = first + stage.steps - 1
     local histories = table.move(run.histories, first, last, 1, {})

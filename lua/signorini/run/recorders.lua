@@ -6,7 +6,8 @@ local stages = require "signorini.run.stages"
 local recorders = {}
 
 local axes = { "x", "y", "z" }
-local contact_columns = { "fx", "fy", "fz", "area", "max_pressure", "max_penetration", "debonded", "worn" }
+local contact_columns = { "fx", "fy", "fz", "area", "max_pressure", "max_penetration", "slip", "debonded",
+                          "worn_volume" }
 
 --- Registers a column and returns its list of values.
 function recorders.add_column(run, name)

@@ -118,9 +118,11 @@ template <int D> int contact_resultant(const model::Model<D>& model, const std::
   set_field(L, "per", area_name(named));
   if (is_half) set_field(L, "imbalance", model::imbalance(model, static_cast<int>(contact)));
   set_force<D>(L, sum.force);
+  if (may_rub(named.method.law))
+    set_field(L, "slip", contact::mean_slip(*model.system.contacts[contact], model.present.contacts[contact]));
   if (named.method.bond)
     set_field(L, "debonded", model.present.contacts[contact].debonding / named.method.bond->energy);
-  if (named.method.law.wear) set_field(L, "worn", model.present.contacts[contact].removed);
+  if (named.method.law.wear) set_field(L, "worn_volume", model.present.contacts[contact].worn_volume);
   const auto& multipliers = model.present.contacts[contact].multiplier_results;
   double weighted = 0;
   for (const auto& one : multipliers)
@@ -201,7 +203,7 @@ template <int D> int sample(const model::Model<D>& model, lua_State* L) {
 template <int D> int energy(const model::Model<D>& model, lua_State* L) {
   const model::Energies now = model::energies(model);
   push_fields(L, "stored", now.stored, "contact", now.contact, "friction", now.friction, "work", now.work,
-              "area_growth", now.growth, "debonding", now.debonding, "worn", now.worn);
+              "area_growth", now.growth, "debonding", now.debonding, "wear", now.wear);
   return 1;
 }
 

@@ -53,7 +53,7 @@ template <int D> exchange::BezierGrid grid_of(const model::Model<D>& model, bool
   grid.points.resize(3, 0);
   for (const tessellation::CellField& field : bodies.front().fields)
     grid.point_arrays.push_back({field.name, MatrixX(field.values.rows(), 0), component_names(field.name)});
-  for (const model::FaceField field : {model::FaceField::pressure, model::FaceField::damage})
+  for (const model::FaceField field : model::face_fields)
     if (std::ranges::any_of(scene.contacts, [&](const auto& contact) { return has(contact, field); }))
       grid.point_arrays.push_back({name_of(field), MatrixX(1, 0)});
   grid.cell_arrays = {{"body", {}}, {"contact", {}}};

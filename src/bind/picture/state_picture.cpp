@@ -169,9 +169,7 @@ Picture finished(const Arguments& a, StatePicture picture, const std::string& ti
 template <int D> std::string read_label(const Arguments& a, const Showing& showing) {
   if (showing.field.empty()) return "";
   const auto on_faces = model::face_field(showing.field);
-  const std::string name = !on_faces                                 ? model::find_field<D>(showing.field).label
-                           : *on_faces == model::FaceField::pressure ? "contact pressure"
-                                                                     : "damage of bonds";
+  const std::string name = on_faces ? label_of(*on_faces) : model::find_field<D>(showing.field).label;
   if (a.has("label")) return a.get<std::string>("label");
   return showing.factor == 1 ? name : number_text(showing.factor) + " × " + name;
 }

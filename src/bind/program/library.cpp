@@ -8,6 +8,7 @@
 #include "bind/lua/open.hpp"
 #include "bind/lua/threads.hpp"
 #include "bind/program/doctor.hpp"
+#include "model/results/face_values.hpp"
 #include "model/results/field.hpp"
 #include "os/archive.hpp"
 #include "os/limits.hpp"
@@ -153,7 +154,7 @@ void open_library(lua_State* L, const Settings& settings) {
   lua_setfield(L, -2, "sg");
   std::vector<std::string> fields;
   for (const auto& field : model::fields<3>()) fields.push_back(field.name);
-  fields.insert(fields.end(), {"contact_pressure", "damage"});
+  for (const model::FaceField field : model::face_fields) fields.emplace_back(name_of(field));
   const int processors = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   set_fields(L, "terminal", isatty(STDERR_FILENO) == 1, // where progress is displayed
              "interactive", isatty(STDIN_FILENO) && isatty(STDOUT_FILENO), "quiet", settings.quiet, "threads",

@@ -38,13 +38,33 @@ template <int D> void count(FrictionFlaw flaw, const Vec<D>& place, ContactCount
   counters.flaw = flaw;
 }
 
+/// ½ (φ₀ + φ₁) (A₁ − A₀) of energies φ A over a step, zero of a point that is open before or after.
+double growth(double before, double first, double after, double last) {
+  return first == 0 || last == 0 ? 0 : 0.5 * (before / first + after / last) * (last - first);
+}
+
+/// The area on which the law of a multiplier acts.
+template <int D> double law_area(const MultiplierResult<D>& result) {
+  return result.state == ContactState::open ? 0 : result.area;
+}
+
+/// Adds ∫ p dg A to the potential of a result on whose area A a pressure acts that is a formula.
+template <class Result>
+double with_pressure(const Parameters& parameters, const Result& result, double area, const Vec<3>& place) {
+  const bool acts = touches(result.state) || result.state == ContactState::adhesion;
+  if (!acts || !parameters.law || !parameters.law->pressure) return result.potential;
+  return result.potential + parameters.energy_share() * area * parameters.law->pressure->energy(result.gap, place);
+}
+
 } // namespace
 
 template <int D> void Formulation<D>::commit(History<D>& present, const History<D>& accepted, double) {
   for (std::size_t i = 0; i < points_.size(); ++i) {
     if (!acts(points_, present, i)) continue;
     const PointResult<D>&before = accepted.results[i], &after = present.results[i];
-    present.growth += growth(before, after);
+    if (before.law_area != after.law_area)
+      present.growth +=
+          growth(potential(*this, accepted, i), before.law_area, potential(*this, present, i), after.law_area);
     present.offset_work += parameters_.energy_share() * 0.5 *
                            (before.pressure * before.area + after.pressure * after.area) *
                            (parameters_.offset(i, present.changes) - parameters_.offset(i, accepted.changes));
@@ -54,7 +74,10 @@ template <int D> void Formulation<D>::commit(History<D>& present, const History<
     counters.unsettled_at = points_.reference[i];
   }
   for (std::size_t a = 0; a < present.multipliers.size(); ++a) {
-    present.growth += growth(accepted.multiplier_results[a], present.multiplier_results[a]);
+    const double first = law_area(accepted.multiplier_results[a]), last = law_area(present.multiplier_results[a]);
+    if (first != last)
+      present.growth +=
+          growth(multiplier_potential(*this, accepted, a), first, multiplier_potential(*this, present, a), last);
     count(present.multiplier_results[a].flaw, points_.reference[multipliers()->points[a]], counters);
   }
   return_to_accepted();
@@ -91,6 +114,24 @@ template <int D> std::vector<double> gaps(const Formulation<D>& contact, const H
   return gaps;
 }
 
+template <int D> double potential(const Formulation<D>& contact, const History<D>& history, std::size_t i) {
+  const PointResult<D>& result = history.results[i];
+  return with_pressure(contact.parameters(), result, result.law_area, place_of(contact.points().reference[i]));
+}
+
+template <int D> double multiplier_potential(const Formulation<D>& contact, const History<D>& history, std::size_t a) {
+  const MultiplierResult<D>& result = history.multiplier_results[a];
+  const Vec<D>& place = contact.points().reference[contact.multipliers()->points[a]];
+  return with_pressure(contact.parameters(), result, result.area, place_of(place));
+}
+
+template <int D> double potential(const Formulation<D>& contact, const History<D>& history) {
+  double sum = 0;
+  for (std::size_t i = 0; i < history.results.size(); ++i) sum += potential(contact, history, i);
+  for (std::size_t a = 0; a < history.multiplier_results.size(); ++a) sum += multiplier_potential(contact, history, a);
+  return sum;
+}
+
 template <int D>
 std::vector<int> crossed(const Formulation<D>& contact, const History<D>& present, const History<D>& accepted) {
   const Faces<D>& faces = contact.faces();
@@ -120,6 +161,9 @@ std::vector<int> crossed(const Formulation<D>& contact, const History<D>& presen
   template class Formulation<D>;                                                                                       \
   template History<D> initial_history(const Formulation<D>&);                                                          \
   template std::vector<double> gaps(const Formulation<D>&, const History<D>&);                                         \
+  template double potential(const Formulation<D>&, const History<D>&, std::size_t);                                    \
+  template double multiplier_potential(const Formulation<D>&, const History<D>&, std::size_t);                         \
+  template double potential(const Formulation<D>&, const History<D>&);                                                 \
   template std::vector<int> crossed(const Formulation<D>&, const History<D>&, const History<D>&);
 SIGNORINI_INSTANTIATE(2)
 SIGNORINI_INSTANTIATE(3)

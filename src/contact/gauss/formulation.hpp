@@ -54,6 +54,12 @@ template <int D> struct ContactCounters {
   double search_seconds = 0; ///< for updates of the search tree and projections while timed, summed over threads
 };
 
+/// What the law of an interface has done to a contact point; 0 where it does not act.
+struct PointFriction {
+  double mu;   ///< coefficient of friction, see Slide
+  double slip; ///< since the touch, in the accepted state
+};
+
 /// One contact. Members hold constant data and the moving faces; everything else is in the History passed to its
 /// methods. commit() and return_to_accepted() store the faces' accepted position.
 template <int D> class Formulation {
@@ -79,6 +85,9 @@ public:
   virtual const Multipliers* multipliers() const { return nullptr; }
   /// Null unless cohesive.
   virtual const Bonds<D>* bonds() const { return nullptr; }
+  virtual PointFriction friction_at(const History<D>& history, std::size_t i) const {
+    return {history.results[i].mu, history.points[i].slipped};
+  }
 
   /// Evaluation: move() once, then evaluate_part() for 0 … parts() − 1, in any order and in parallel, then gather(),
   /// which may use parallel() itself. blocks() are then those of the trial, bitwise independent of the order. Without
@@ -123,6 +132,12 @@ template <int D> History<D> initial_history(const Formulation<D>& contact);
 /// Gaps of all points, less their offsets, at the faces' current position (an evaluation projects only points that may
 /// touch).
 template <int D> std::vector<double> gaps(const Formulation<D>& contact, const History<D>& history);
+/// Energy of the law at point i and of multiplier a: that of its springs and of adhesion, which is part of its result,
+/// or ∫ p dg A where the pressure is a formula, which evaluations leave out.
+template <int D> double potential(const Formulation<D>& contact, const History<D>& history, std::size_t i);
+template <int D> double multiplier_potential(const Formulation<D>& contact, const History<D>& history, std::size_t a);
+/// Energy of all points and multipliers.
+template <int D> double potential(const Formulation<D>& contact, const History<D>& history);
 /// Numbers of the points that have passed through the master since the accepted state (crossing.hpp), at the
 /// displacements evaluated last.
 template <int D>

@@ -143,9 +143,7 @@ template <int D> double GaussPointContact<D>::stiffness(const History<D>& histor
   for (std::size_t i = 0; i < points_.size(); ++i) {
     const PointResult<D>& point = history.results[i];
     if (has_penalty(law) ? !touches(point.state) : point.law_area == 0) continue;
-    Interface at;
-    if (law.pressure) at.place = place_of(points_.reference[i]);
-    const double slope = contact::stiffness(law, point.gap, at);
+    const double slope = contact::stiffness(law, point.gap, place_of(points_.reference[i]));
     sum += point.law_area * slope * point.law_area * slope;
   }
   return std::sqrt(sum);

@@ -80,8 +80,8 @@ template <int D> void GaussPointContact<D>::wear(History<D>& present, const Hist
   for (std::size_t i = 0; i < points_.size(); ++i) {
     const PointResult<D>& result = present.results[i];
     const double before = pressure_of(accepted, i) * accepted.results[i].area;
-    present.removed += share * result.area * result.worn;
-    present.worn += share * 0.5 * (before + pressure_of(present, i) * result.area) * result.worn;
+    present.worn_volume += share * result.area * result.worn;
+    present.wear += share * 0.5 * (before + pressure_of(present, i) * result.area) * result.worn;
     present.points[i].worn += result.worn;
   }
 }
@@ -133,7 +133,7 @@ template <int D> void GaussPointContact<D>::choose_points(History<D>& present, d
     if (sparse[e] == present.sparse[e]) continue;
     recall(memories<D>(*this, present, before), *this, after, present);
     for (const std::size_t i : before) {
-      present.growth -= present.results[i].potential;
+      present.growth -= potential(*this, present, i);
       present.points[i] = {};
       present.results[i] = {};
     }
@@ -141,7 +141,7 @@ template <int D> void GaussPointContact<D>::choose_points(History<D>& present, d
   }
   present.sparse = sparse;
   evaluate_points(present, all, penalty_factor);
-  for (const std::size_t i : all) present.growth += present.results[i].potential;
+  for (const std::size_t i : all) present.growth += potential(*this, present, i);
 }
 
 /// True if one of some open points is nearer to contact than a distance. Where its bound does not tell, the point is

@@ -27,9 +27,9 @@ InterfaceLaw scaled(InterfaceLaw law, double factor) {
   return law;
 }
 
-double stiffness(const InterfaceLaw& law, double gap, const Interface& at) {
+double stiffness(const InterfaceLaw& law, double gap, const Vec<3>& place) {
   if (law.adhesion) return stiffness(*law.adhesion, gap);
-  const double normal = law.pressure ? std::abs((*law.pressure)(gap, at).rate) : law.normal;
+  const double normal = law.pressure ? std::abs((*law.pressure)(gap, place).rate) : law.normal;
   return -std::max(normal, law.friction > 0 ? law.tangential : 0);
 }
 

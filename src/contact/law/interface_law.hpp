@@ -73,10 +73,14 @@ inline bool has_penalty(const InterfaceLaw& law) {
   return !law.adhesion && !law.pressure;
 }
 inline GapResponse respond(const InterfaceLaw& law, double gap, const Interface& at) {
-  if (law.pressure) return (*law.pressure)(gap, at);
-  if (law.adhesion) return {traction(*law.adhesion, gap), stiffness(*law.adhesion, gap), potential(*law.adhesion, gap)};
-  // p = −ε_N g,  ε_N g²/2
-  return {-law.normal * gap, -law.normal, 0.5 * law.normal * gap * gap};
+  if (law.pressure) return (*law.pressure)(gap, at.place);
+  if (law.adhesion) return {traction(*law.adhesion, gap), stiffness(*law.adhesion, gap)};
+  return {-law.normal * gap, -law.normal}; // p = −ε_N g
+}
+/// Energy of the pressure per area.
+inline double energy(const InterfaceLaw& law, double gap, const Vec<3>& place) {
+  if (law.pressure) return law.pressure->energy(gap, place);
+  return law.adhesion ? potential(*law.adhesion, gap) : 0.5 * law.normal * gap * gap; // ε_N g²/2
 }
 /// The gap below which the law acts.
 inline double reach(const InterfaceLaw& law) {
@@ -90,7 +94,7 @@ inline ContactState state_of(const InterfaceLaw& law, double gap, double pressur
   return gap < strongest_distance(*law.adhesion) ? ContactState::adhesion : ContactState::open;
 }
 /// The largest derivative of tractions with respect to gap or slip at a point, by its sign that of p′(g).
-double stiffness(const InterfaceLaw& law, double gap, const Interface& at);
+double stiffness(const InterfaceLaw& law, double gap, const Vec<3>& place);
 
 /// μ at a pressure and a slip of the step; a formula below 0 counts as 0.
 inline Coefficient coefficient(const InterfaceLaw& law, double pressure, double slip, const Interface& at) {

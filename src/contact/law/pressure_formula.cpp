@@ -44,10 +44,15 @@ std::string text_of(const PressureFormula& law) {
   return symbolic::text_of(law.formula.graph, law.formula.node);
 }
 
-GapResponse PressureFormula::operator()(double gap, const Interface& at) const {
-  const Values value{*this, at.place};
+GapResponse PressureFormula::operator()(double gap, const Vec<3>& place) const {
+  const auto [pressure, rate] = Values{*this, place}(gap, 2);
+  return {pressure, rate};
+}
+
+double PressureFormula::energy(double gap, const Vec<3>& place) const {
+  const Values value{*this, place};
   const auto [pressure, rate] = value(gap, 2);
-  // φ = ∫ p dg from g to the clearance; up to an infinite one by s = g + L x/(1 − x), L a length of the law itself
+  // Up to an infinite clearance by s = g + L x/(1 − x), L a length of the law itself
   const bool bounded = std::isfinite(clearance);
   const double length = bounded ? clearance - gap : std::max(std::abs(gap), std::abs(pressure / rate));
   const int panels = bounded ? 2 : 6;
@@ -58,7 +63,7 @@ GapResponse PressureFormula::operator()(double gap, const Interface& at) const {
       const double there = bounded ? gap + length * x : gap + length * x / rest;
       energy += gauss_weights[k] / panels * length * value(there, 1)[0] / (bounded ? 1 : rest * rest);
     }
-  return {pressure, rate, energy};
+  return energy;
 }
 
 std::shared_ptr<const PressureFormula> make_pressure_formula(symbolic::Formula formula, double clearance) {

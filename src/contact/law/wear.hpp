@@ -9,7 +9,7 @@ namespace signorini::contact {
 ///   δp = response.rate δg + of_held δp₀ + of_trial·δt*,   and the δt of `slide` at this δp.
 template <int N> struct Rubbing {
   Slide<N> slide;
-  GapResponse response; ///< p and φ at the gap with the wear of the step, and ∂p/∂g
+  GapResponse response; ///< p at the gap with the wear of the step, and ∂p/∂g
   double of_held = 1;
   Vec<N> of_trial = Vec<N>::Zero();
   double worn = 0; ///< depth of the step

@@ -211,8 +211,9 @@ Method read(ArchiveReader& from, std::type_identity<Method>) {
 
 template <int D> void write_history(ArchiveWriter& to, const History<D>& history) {
   const auto& [points, results, multipliers, multiplier_results, bonds, sparse, changes, dissipated, growth,
-               offset_work, debonding, removed, worn] = history;
-  to.put(changes, dissipated, growth, offset_work, debonding, removed, worn, static_cast<std::uint64_t>(points.size()));
+               offset_work, debonding, worn_volume, wear] = history;
+  to.put(changes, dissipated, growth, offset_work, debonding, worn_volume, wear,
+         static_cast<std::uint64_t>(points.size()));
   for (const char element : sparse) to.put(element != 0);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const bool acts = results[i].area != 0;
@@ -238,8 +239,8 @@ template <int D> void check_feet(const PointHistory<D>& point, const Surface<D>*
 
 template <int D> void read_history(ArchiveReader& from, const Formulation<D>& formulation, History<D>& history) {
   auto& [points, results, multipliers, multiplier_results, bonds, sparse, changes, dissipated, growth, offset_work,
-         debonding, removed, worn] = history;
-  from.into(changes, dissipated, growth, offset_work, debonding, removed, worn);
+         debonding, worn_volume, wear] = history;
+  from.into(changes, dissipated, growth, offset_work, debonding, worn_volume, wear);
   const auto count = from.get<std::uint64_t>();
   require(count == points.size(), "contact.archive.points", {{"saved", count}, {"count", points.size()}});
   for (char& element : sparse) element = from.get<bool>();

@@ -1,5 +1,5 @@
 #pragma once
-// The zone of contact around the largest pressure of a contact, and pressures averaged over slave elements.
+// The zone of contact around the largest pressure of a contact, pressures averaged over slave elements, and mean slip.
 
 #include "contact/gauss/formulation.hpp"
 
@@ -21,5 +21,8 @@ template <int D> std::optional<PeakZone<D>> peak_zone(const Formulation<D>& form
 /// The largest mean pressure over a slave element, Σ p a / Σ a with the areas a of its points, those of open points in
 /// the reference configuration.
 template <int D> double mean_pressure(const ContactPoints<D>& points, const History<D>& history);
+
+/// The mean slip since the touch over the points that touch, Σ γ a / Σ a with their areas a; 0 without any.
+template <int D> double mean_slip(const Formulation<D>& formulation, const History<D>& history);
 
 } // namespace signorini::contact

@@ -304,8 +304,8 @@ template <int D> void MortarContact<D>::wear(History<D>& present, const History<
   const double share = parameters_.energy_share();
   for (std::size_t a = 0; a < present.multipliers.size(); ++a) {
     const MultiplierResult<D>&result = present.multiplier_results[a], &last = accepted.multiplier_results[a];
-    present.removed += share * result.area * result.worn;
-    present.worn += share * 0.5 * (last.pressure * last.area + result.pressure * result.area) * result.worn;
+    present.worn_volume += share * result.area * result.worn;
+    present.wear += share * 0.5 * (last.pressure * last.area + result.pressure * result.area) * result.worn;
     present.multipliers[a].worn += result.worn;
   }
   for (std::size_t i = 0; i < present.points.size(); ++i) {
@@ -331,12 +331,25 @@ void MortarContact<D>::release(History<D>& present, const History<D>& accepted, 
   for (PointHistory<D>& point : present.points) point.slips = false;
 }
 
+/// Σ M_A μ_A and Σ M_A γ_A
+template <int D> PointFriction MortarContact<D>::friction_at(const History<D>& history, std::size_t i) const {
+  PointFriction sum{};
+  const double* value = functions_.at_point(i);
+  for (const int a : functions_.on(points_.list[i].element)) {
+    sum.mu += *value * history.multiplier_results[a].mu;
+    sum.slip += *value++ * history.multipliers[a].slipped;
+  }
+  return sum;
+}
+
 template <int D> double MortarContact<D>::stiffness(const History<D>& history, double penalty_factor) const {
   const InterfaceLaw law = parameters_.law_in(history.changes, penalty_factor);
   double sum = 0;
-  for (const MultiplierResult<D>& result : history.multiplier_results) {
-    const double slope = contact::stiffness(law, result.gap, {});
-    if (result.state != ContactState::open) sum += result.area * slope * result.area * slope;
+  for (int a = 0; a < functions_.count(); ++a) {
+    const MultiplierResult<D>& result = history.multiplier_results[a];
+    if (result.state == ContactState::open) continue;
+    const double slope = contact::stiffness(law, result.gap, place_of(points_.reference[multipliers_.points[a]]));
+    sum += result.area * slope * result.area * slope;
   }
   return std::sqrt(sum);
 }

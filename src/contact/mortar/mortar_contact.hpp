@@ -17,6 +17,7 @@ public:
   MortarContact(const ContactSetting<D>& setting, const InterfaceLaw& law, MultiplierSpace multipliers, Pass pass);
 
   const Multipliers* multipliers() const override { return &multipliers_; }
+  PointFriction friction_at(const History<D>& history, std::size_t i) const override;
   /// Except beyond open ends of the master, where the area on which tractions act changes.
   bool has_potential() const override { return !may_rub(*parameters_.law) && parameters_.pass == Pass::full; }
   int parts() const override { return std::ssize(parts_); }

@@ -74,7 +74,8 @@ void friction(const InterfaceLaw& law, const MultiplierSums<D>& sums, const Mult
   result.elastic = traction / law.tangential;
   result.slipped = (slip + history.elastic - result.elastic).norm();
   result.friction = e * traction;
-  result.potential = (response.potential + 0.5 * law.tangential * result.elastic.squaredNorm()) * sums.area;
+  if (rubbing.worn != 0 && !law.pressure) result.potential = energy(law, result.gap + rubbing.worn, {}) * sums.area;
+  result.potential += 0.5 * law.tangential * result.elastic.squaredNorm() * sums.area;
 
   // t = Σ_i t_i e_i,  δtrial_i = ε_T (e_i·δV + δe_i·V),  with δe_i of the frame
   const Eigen::Matrix<double, D, D - 1> stiff = law.tangential * e * scale;
@@ -108,7 +109,7 @@ MultiplierTangent<D> mortar_law(const InterfaceLaw& law, const MultiplierSums<D>
   GapResponse response = respond(law, result.gap, control.interface);
   result.pressure = response.pressure;
   result.state = state_of(law, result.gap, result.pressure);
-  result.potential = response.potential * sums.area;
+  result.potential = law.pressure ? 0 : energy(law, result.gap, {}) * sums.area;
   result.mu = law.coefficient ? 0 : law.friction;
   if (slides(law) && (result.pressure > 0 || control.fixed == FixedContactState::stick))
     friction(law, sums, history, control, response, result, tangent);

@@ -44,7 +44,7 @@ PointCondition<D> closed_condition(const InterfaceLaw& law, const LocalGeometry<
     friction_rows = law.tangential * (plane * slip) - (n.dot(x) * Mat<D>::Identity() + n * x.transpose()) * gap.normal;
     friction_of_multiplier = -plane;
     const Rubbing<D> rubbing =
-        rub<D>(law, {q, -law.normal, 0}, g, y, geometry.fixed_state, geometry.tie, geometry.interface);
+        rub<D>(law, {q, -law.normal}, g, y, geometry.fixed_state, geometry.tie, geometry.interface);
     const Slide<D>& step = rubbing.slide;
     condition.mu = step.mu;
     condition.flaw = step.flaw;

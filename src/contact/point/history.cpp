@@ -35,23 +35,6 @@ template <int D> Constraint constraint(const History<D>& history, int index) {
   return history.multipliers.empty() ? of(history.results[index]) : of(history.multiplier_results[index]);
 }
 
-template <int D> double potential(const History<D>& history) {
-  double sum = 0;
-  for (const PointResult<D>& point : history.results) sum += point.potential;
-  for (const MultiplierResult<D>& multiplier : history.multiplier_results) sum += multiplier.potential;
-  return sum;
-}
-
-template <int D> double growth(const PointResult<D>& before, const PointResult<D>& after) {
-  const double first = before.law_area, last = after.law_area;
-  return first == 0 || last == 0 ? 0 : 0.5 * (before.potential / first + after.potential / last) * (last - first);
-}
-
-template <int D> double growth(const MultiplierResult<D>& before, const MultiplierResult<D>& after) {
-  if (before.state == ContactState::open || after.state == ContactState::open) return 0;
-  return 0.5 * (before.potential / before.area + after.potential / after.area) * (after.area - before.area);
-}
-
 template <int D> double memory(const History<D>& history) {
   return static_cast<double>(
       history.points.capacity() * sizeof(PointHistory<D>) + history.results.capacity() * sizeof(PointResult<D>) +
@@ -79,9 +62,6 @@ template <int D> void change(History<D>& history, const Changes& changes) {
   template Resultant<D> resultant(const History<D>&);                                                                  \
   template int constraints(const History<D>&);                                                                         \
   template Constraint constraint(const History<D>&, int);                                                              \
-  template double potential(const History<D>&);                                                                        \
-  template double growth(const PointResult<D>&, const PointResult<D>&);                                                \
-  template double growth(const MultiplierResult<D>&, const MultiplierResult<D>&);                                      \
   template double memory(const History<D>&);                                                                           \
   template void look_everywhere(History<D>&);                                                                          \
   template void forget_touches(History<D>&, const History<D>&);                                                        \

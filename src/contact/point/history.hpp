@@ -21,7 +21,7 @@ template <int D> struct PointResult {
   Vec<D> friction = Vec<D>::Zero();       ///< t_T; the traction on the slave is t_N n̄ − t_T
   Vec<D> force = Vec<D>::Zero();          ///< on the slave: traction × area
   double law_area = 0;                    ///< on which the law's tractions act: current or reference
-  double potential = 0;                   ///< energy of the law at this point
+  double potential = 0;                   ///< energy of springs or adhesion at this point, see potential()
   double slipped = 0;                     ///< of multipliers: by how far the trial slip is outside of Coulomb's cone
   double mu = 0;                          ///< coefficient of friction, see Slide
   FrictionFlaw flaw = FrictionFlaw::none; ///< see Slide
@@ -59,7 +59,7 @@ template <int D> struct MultiplierResult {
   double area = 0;                  ///< a_A, reference, in a half pass current
   double gap = 0;                   ///< ḡ_A
   double pressure = 0;              ///< z_A
-  double potential = 0;             ///< energy of its springs
+  double potential = 0;             ///< energy of its springs, see potential()
   Vec<D> friction = Vec<D>::Zero(); ///< t_A; the traction on the slave is Σ M_A (z_A n̄ − t_A)
   FaceCoordinates<D> components = FaceCoordinates<D>::Zero(); ///< of t_A
   FaceCoordinates<D> elastic = FaceCoordinates<D>::Zero();    ///< slip of its spring
@@ -95,7 +95,7 @@ template <int D> struct History {
   double dissipated = 0, growth = 0, offset_work = 0;
   double debonding = 0; ///< energy that bonds have dissipated
   /// Of wear: volume ∫∫ dw da, and the energy ∫∫ t_N dw da that leaves with it, by the trapezoidal rule.
-  double removed = 0, worn = 0;
+  double worn_volume = 0, wear = 0;
 };
 
 /// Adds the slip of an accepted step to a history of a point or multiplier; one that does not touch forgets its own.
@@ -109,10 +109,6 @@ template <class Any> void add_slip(Any& history, ContactState state, double slip
 template <int D> bool acts(const ContactPoints<D>& points, const History<D>& history, std::size_t i) {
   return history.sparse.empty() || (history.sparse[points.list[i].element] != 0) == points.list[i].sparse;
 }
-
-/// ½ (φ₀ + φ₁) (A₁ − A₀) of a point or a multiplier over a step, zero if it is open before or after.
-template <int D> double growth(const PointResult<D>& before, const PointResult<D>& after);
-template <int D> double growth(const MultiplierResult<D>& before, const MultiplierResult<D>& after);
 
 /// Sums over a contact. Largest pressure and penetration are over the points that are not open. The area, which is not
 /// a sum over points, is that of contact_area.hpp.
@@ -132,9 +128,6 @@ struct Constraint {
 };
 template <int D> int constraints(const History<D>& history);
 template <int D> Constraint constraint(const History<D>& history, int index);
-
-/// Energy of the law: springs of the penalty law and of bonds, or adhesion.
-template <int D> double potential(const History<D>& history);
 
 /// Bytes in memory.
 template <int D> double memory(const History<D>& history);

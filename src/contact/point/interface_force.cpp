@@ -68,7 +68,7 @@ void interface_force(const InterfaceLaw& law, const LocalGeometry<D>& geometry, 
   result.mu = law.coefficient ? 0 : law.friction;
   result.flaw = FrictionFlaw::none;
   result.worn = 0;
-  result.potential = response.potential;
+  result.potential = law.pressure ? 0 : energy(law, g, {});
   // A point with a fixed state may be in tension, where Coulomb's limit does not exist.
   const bool rubs = response.pressure > 0 || geometry.fixed_state == FixedContactState::stick;
   std::optional<Rubbing<D>> rubbing;
@@ -81,8 +81,8 @@ void interface_force(const InterfaceLaw& law, const LocalGeometry<D>& geometry, 
     result.flaw = rubbing->slide.flaw;
     result.worn = rubbing->worn;
     result.friction = rubbing->slide.friction;
-    // |t_T|²/(2 ε_T)
-    result.potential = response.potential + result.friction.squaredNorm() / (2 * law.tangential);
+    if (rubbing->worn != 0 && !law.pressure) result.potential = energy(law, g + rubbing->worn, {});
+    result.potential += result.friction.squaredNorm() / (2 * law.tangential); // |t_T|²/(2 ε_T)
   }
   // δ(p n̄) = p′ δg n̄ + p δn̄
   result.pressure = response.pressure;

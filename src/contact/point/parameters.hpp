@@ -36,6 +36,7 @@ struct Parameters {
   double friction(const Changes& changes) const { return law ? changed(*law, changes).friction : 0; }
   bool slides(const Changes& changes) const { return law && contact::slides(changed(*law, changes)); }
   bool by_formula() const { return law && (law->coefficient || law->wear); }
+  bool rubs() const { return law && may_rub(*law); }
   double penalty(const Changes& changes) const { return law ? changed(*law, changes).normal : 0; }
   /// Both half passes compute the whole energy of the springs and the whole work of friction between the faces: each
   /// counts half.

@@ -20,11 +20,11 @@ template <int D> void check(const Contact<D>& contact, const contact::ContactPoi
   const double top = bounded ? law.clearance : depth;
   const std::size_t stride = std::max<std::size_t>(1, points.size() / sampled_places);
   for (std::size_t i = 0; i < points.size(); i += stride) {
-    const contact::Interface at{.place = contact::place_of(points.reference[i])};
+    const Vec<3> place = contact::place_of(points.reference[i]);
     double largest = 0;
     for (int k = 0; k <= sampled_gaps; ++k) {
       const double gap = top - (top + depth) * k / sampled_gaps;
-      const contact::GapResponse found = law(gap, at);
+      const contact::GapResponse found = law(gap, place);
       require(std::isfinite(found.pressure) && std::isfinite(found.rate), "model.pressure.finite",
               {{"contact", contact.name}, {"gap", gap}, {"value", found.pressure}});
       largest = std::max(largest, std::abs(found.pressure));
@@ -36,7 +36,7 @@ template <int D> void check(const Contact<D>& contact, const contact::ContactPoi
               {{"contact", contact.name}, {"gap", gap}, {"value", found.pressure}});
     }
     require(largest > 0, "model.pressure.none", {{"contact", contact.name}, {"gap", -depth}});
-    const double rest = bounded ? law(top, at).pressure : 0;
+    const double rest = bounded ? law(top, place).pressure : 0;
     require(std::abs(rest) <= pressure_rounding * largest, "model.pressure.clearance",
             {{"contact", contact.name}, {"gap", top}, {"value", rest}});
   }

@@ -8,17 +8,33 @@
 
 namespace signorini::model {
 
-std::optional<FaceField> face_field(const std::string& name) {
-  for (const FaceField field : {FaceField::pressure, FaceField::damage})
-    if (name == name_of(field)) return field;
-  return {};
-}
-
-const char* name_of(FaceField field) {
-  return field == FaceField::pressure ? "contact_pressure" : "damage";
-}
-
 namespace {
+
+struct FaceFieldNames {
+  const char *name, *label;
+};
+constexpr FaceFieldNames names_of_fields[] = {{"contact_pressure", "contact pressure"},
+                                              {"damage", "damage of bonds"},
+                                              {"mu", "coefficient of friction"},
+                                              {"slip", "slip since touch"},
+                                              {"worn", "depth of wear"}};
+
+template <int D>
+double point_value(const contact::Formulation<D>& formulation, const contact::History<D>& history, FaceField field,
+                   std::size_t i) {
+  switch (field) {
+  case FaceField::pressure:
+    return history.results[i].pressure;
+  case FaceField::damage:
+    return formulation.bonds()->damage(history, i);
+  case FaceField::mu:
+    return formulation.friction_at(history, i).mu;
+  case FaceField::slip:
+    return formulation.friction_at(history, i).slip;
+  default:
+    return history.points[i].worn;
+  }
+}
 
 /// Values at the points of the full rule from those of the sparse one: T_ij, the Lagrange polynomial of point j at i.
 MatrixX interpolation(int sparse, int full) {
@@ -34,6 +50,20 @@ MatrixX interpolation(int sparse, int full) {
 
 } // namespace
 
+std::optional<FaceField> face_field(const std::string& name) {
+  for (const FaceField field : face_fields)
+    if (name == name_of(field)) return field;
+  return {};
+}
+
+const char* name_of(FaceField field) {
+  return names_of_fields[static_cast<int>(field)].name;
+}
+
+const char* label_of(FaceField field) {
+  return names_of_fields[static_cast<int>(field)].label;
+}
+
 template <int D> MatrixX contact_point_values(const Model<D>& model, FaceField field, int contact, std::size_t face) {
   const contact::Formulation<D>& formulation = *model.system.contacts[contact];
   const Contact<D>& named = model.system.scene.contacts[contact];
@@ -43,8 +73,7 @@ template <int D> MatrixX contact_point_values(const Model<D>& model, FaceField f
   for (std::size_t i = 0; i < formulation.points().size(); ++i) {
     if (!acts(formulation.points(), history, i)) continue;
     const contact::ContactPoint& point = formulation.points().list[i];
-    all(point.number, point.element) =
-        field == FaceField::damage ? formulation.bonds()->damage(history, i) : history.results[i].pressure;
+    all(point.number, point.element) = point_value(formulation, history, field, i);
   }
   if (const int sparse = formulation.points().sparse; sparse > 0) {
     const MatrixX along = interpolation(sparse, points);

@@ -1,5 +1,5 @@
 #pragma once
-// Interpolated contact pressure, and damage of bonds, for pictures and samples.
+// Interpolated results of contacts on their slave faces, for pictures and samples.
 
 #include "model/steps/model.hpp"
 
@@ -8,14 +8,20 @@
 
 namespace signorini::model {
 
-/// A field that is defined on slave faces only; damage: of cohesive contacts.
-enum class FaceField { pressure, damage };
-/// "contact_pressure", "damage"; none: another field.
+/// A field that is defined on slave faces only; damage: of cohesive contacts; mu and slip: of contacts with friction;
+/// worn: of those with wear.
+enum class FaceField { pressure, damage, mu, slip, worn };
+constexpr FaceField face_fields[] = {FaceField::pressure, FaceField::damage, FaceField::mu, FaceField::slip,
+                                     FaceField::worn};
+/// "contact_pressure", "damage", "mu", "slip", "worn"; none: another field.
 std::optional<FaceField> face_field(const std::string& name);
 const char* name_of(FaceField field);
+const char* label_of(FaceField field);
 /// True if a contact has it.
 template <int D> bool has(const Contact<D>& contact, FaceField field) {
-  return field == FaceField::pressure || contact.method.bond;
+  if (field == FaceField::damage) return contact.method.bond.has_value();
+  if (field == FaceField::worn) return contact.method.law.wear.has_value();
+  return field == FaceField::pressure || may_rub(contact.method.law);
 }
 
 /// The values at the contact points of one of the slave faces, one column per element of this face; 0 at points outside

@@ -1,6 +1,7 @@
 #include "model/results/field.hpp"
 
 #include "base/error.hpp"
+#include "model/results/face_values.hpp"
 #include "solid/projection.hpp"
 
 #include <cmath>
@@ -91,6 +92,7 @@ template <int D> const Field<D>& find_field(const std::string& name) {
     if (field.name == name) return field;
     known.push_back(field.name);
   }
+  for (const FaceField field : face_fields) known.emplace_back(name_of(field));
   fail("model.field.unknown", {{"field", name}, {"known", known}});
 }
 

@@ -29,9 +29,10 @@ template <int D> Profile profile(const Model<D>& model, int contact) {
     result.gap.push_back(gaps[i]);
     result.inside.push_back(inside[i]);
     if (formulation.bonds()) result.damage.push_back(formulation.bonds()->damage(history, i));
-    if (formulation.parameters().by_formula() && !formulation.multipliers()) {
-      result.mu.push_back(point.mu);
-      result.slip.push_back(history.points[i].slipped);
+    if (formulation.parameters().rubs()) {
+      const auto [mu, slip] = formulation.friction_at(history, i);
+      result.mu.push_back(mu);
+      result.slip.push_back(slip);
     }
     if (formulation.parameters().law && formulation.parameters().law->wear)
       result.worn.push_back(history.points[i].worn);

@@ -63,11 +63,12 @@ template <int D> Energies energies(const Model<D>& model) {
   const VectorX& displacement = model.present.displacement;
   Energies sum{model.system.springs.energy(displacement), 0, 0, model.path.work};
   sum.stored += model.system.assembly.bulk().stored_energy(displacement, model.accepted.internal);
-  for (const auto& history : model.present.contacts) {
-    sum.contact += contact::potential(history);
+  for (std::size_t k = 0; k < model.present.contacts.size(); ++k) {
+    const contact::History<D>& history = model.present.contacts[k];
+    sum.contact += contact::potential(*model.system.contacts[k], history);
     sum.friction += history.dissipated;
     sum.debonding += history.debonding;
-    sum.worn += history.worn;
+    sum.wear += history.wear;
     sum.growth += history.growth;
     sum.work += history.offset_work;
   }

@@ -91,6 +91,56 @@ check.case("work and dissipation balance", function()
   end
 end)
 
+-- ── Fields and columns ───────────────────────────────────────────────────────────────────────────────────────────────
+
+check.case("mu and slip as columns and fields, of a number and a formula", function()
+  for name, keys in pairs(formulations) do
+    for _, law in ipairs { laws.number, laws.place } do
+      local model = block(law == laws.number and 0.3 or law[1], lists.merged(keys, { points = 3 }))
+      local run, profile = model:run { press, slide }, model:profile "floor"
+      local slip, sum, area = run:column "floor.slip", 0, 0
+      check.near(slip[#slip] - slip[#slip - 1], 0.01, 1e-5) -- as far as the block moves in a step
+      for i, a in ipairs(profile.area) do
+        sum, area = sum + a * profile.slip[i], area + a
+        -- Multipliers with a penalty have a place each, and interpolate between them.
+        local tolerance = name == "mortar" and law == laws.place and 0.02 or 1e-12
+        check.near(profile.mu[i], law[2](0, 0, profile.X[i]), tolerance)
+      end
+      check.near(slip[#slip], sum / area, 1e-14)
+      check.near(model:contact_resultant "floor".slip, sum / area, 1e-14)
+      for e = 1, 4 do -- the middle points of the elements
+        for _, field in ipairs { "mu", "slip" } do
+          check.near(model:sample("block", field, { (e - 0.5) / 4, 0 }), profile[field][3 * e - 1], 1e-14)
+        end
+      end
+    end
+  end
+end)
+
+check.case("mu and slip in pictures and .vtu files, of contacts with friction only", function()
+  local model, folder = block(laws.place[1]), check.folder()
+  model:run { press, slide }
+  for _, field in ipairs { "mu", "slip" } do
+    sg.picture{ model = model, field = field, file = ("%s/%s.png"):format(folder, field) }
+  end
+  check.pictures(folder, { "mu", "slip" })
+  local file = folder .. "/state.vtu"
+  sg.vtu{ model = model, file = file }
+  check.holds(core.read_file(file), 'Name="mu"', 'Name="slip"')
+  local smooth = scenes.model{ bodies = { block = { elements = {1, 1}, contact = "south" } },
+    supports = { grip = { on = "north", drive = "y" } },
+    contacts = { floor = { slave = "south", penalty = 1, master = scenes.floor() } } }
+  local run = smooth:run { { steps = 1, grip = -0.01 } }
+  check.equal(lists.holds(run:columns(), "floor.slip"), false)
+  check.equal({ rawget(smooth:profile "floor", "mu"), rawget(smooth:contact_resultant "floor", "slip") }, {})
+  sg.vtu{ model = smooth, file = file }
+  check.equal(core.read_file(file):find('Name="slip"', 1, true), nil)
+  check.fails(function() sg.picture{ model = smooth, field = "slip", file = folder .. "/none.png" } end,
+    "field 'slip' needs a contact with friction, and the model has none")
+  check.fails(function() smooth:sample("block", "mu", { 0.5, 0 }) end, "mu is defined on slave faces only",
+    "contacts with friction")
+end)
+
 -- ── Time ─────────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 check.case("time: column of a run, roll-back, cut steps, continuation", function()
@@ -111,7 +161,12 @@ check.case("time: column of a run, roll-back, cut steps, continuation", function
 end)
 
 check.case("a saved model has formula, slips and time", function()
-  local model = block(function(p, v, slip) return 0.2 + 0.01 * p + 0.05 * v + 0.3 * slip end)
+  local function of(p, v, slip) return 0.2 + 0.01 * p + 0.05 * v + 0.3 * slip end
+  local mortar = block(of, formulations.mortar)
+  mortar:run({ press, slide })
+  check.equal(check.reloaded(mortar):profile "floor".slip, mortar:profile "floor".slip)
+  check.equal(check.reloaded(mortar):profile "floor".mu, mortar:profile "floor".mu)
+  local model = block(of)
   model:run({ press, slide })
   local loaded = check.reloaded(model)
   check.equal(loaded:contact_law "floor".mu_formula, model:contact_law "floor".mu_formula)

@@ -33,8 +33,8 @@ check.case("under a constant force the depth is k p s, at any steps", function()
     local run = model:run{ { name = "press", steps = 1 }, { name = "slide", steps = 3, disc = 2 } }
     check.equal(run.reason, "completed")
     for _, depth in ipairs(model:profile "floor".worn) do check.near(depth, 0.05 * 0.2 * 2, 1e-11) end
-    check.near(last(run, "floor.worn"), 0.05 * 0.2 * 2, 1e-11)
-    check.near(model:energy().worn, 0.2 * 0.05 * 0.2 * 2, 1e-11)
+    check.near(last(run, "floor.worn_volume"), 0.05 * 0.2 * 2, 1e-11)
+    check.near(model:energy().wear, 0.2 * 0.05 * 0.2 * 2, 1e-11)
   end
 end)
 
@@ -76,8 +76,8 @@ check.case("with friction: formulas, balance of energy, the work of friction in 
                            { name = "slide", steps = 240, disc = 0.2, duration = 1 } }
     check.equal(run.reason, "completed")
     local energy = model:energy()
-    check.equal(energy.worn > 0 and energy.friction > energy.worn, true)
-    local rest = energy.work + energy.area_growth - energy.stored - energy.contact - energy.friction - energy.worn
+    check.equal(energy.wear > 0 and energy.friction > energy.wear, true)
+    local rest = energy.work + energy.area_growth - energy.stored - energy.contact - energy.friction - energy.wear
     check.at_most("the balance", math.abs(rest / energy.work), 1e-3)
     check.equal(#run.warnings, 0)
   end
@@ -104,7 +104,7 @@ check.case("a saved model goes on with its wear", function()
     check.equal(loaded:profile "floor".worn, model:profile "floor".worn)
     check.equal(loaded:contact_law "floor".wear_rate, model:contact_law "floor".wear_rate)
     local on = { { name = "on", steps = 2, disc = 2 } }
-    check.equal(last(loaded:run(on), "floor.worn"), last(model:run(on), "floor.worn"))
+    check.equal(last(loaded:run(on), "floor.worn_volume"), last(model:run(on), "floor.worn_volume"))
   end
 end)
 

@@ -42,7 +42,7 @@ local quantities = {
   { "force", "^f[xyz]$" }, { "moment", "^moment$" }, { "displacement", "^u[xyz]$" }, { "angle", "^angle$" },
   { "traction", "^t[xyz]$" }, { "pressure", "^pressure$" }, { "contact area", "^area$" },
   { "maximum contact pressure", "^max_pressure$" }, { "maximum penetration", "^max_penetration$" },
-  { "debonded area", "^debonded$" },
+  { "mean slip", "^slip$" }, { "debonded area", "^debonded$" },
 }
 
 --- The charts of a run without options: for each support, load and contact its quantities over the steps, the columns
