@@ -78,7 +78,8 @@ template <int N> void wears() {
         const Vec<N> along = i < N ? Vec<N>(Vec<N>::Unit(i)) : Vec<N>(Vec<N>::Zero());
         const double dg = i == N, dp = i == N + 1;
         const auto moved = [&](double h) { return rub_at(gap + h * dg, held + h * dp, start + h * along); };
-        const double slope = signorini::test::derivative<double>([&](double h) { return moved(h).response.pressure; }, 1e-5);
+        const double slope =
+            signorini::test::derivative<double>([&](double h) { return moved(h).response.pressure; }, 1e-5);
         const double own = found.response.rate * dg + found.of_held * dp + found.of_trial.dot(along);
         EXPECT_NEAR(slope, own, 1e-7 * (1 + std::abs(slope)));
         const Vec<N> by = signorini::test::derivative<Vec<N>>([&](double h) { return moved(h).slide.friction; }, 1e-5);
@@ -129,6 +130,34 @@ TEST(Wear, OfAHeldBlockIsStableWithinTheStepOnly) {
   const double longer = 2.5 * 10 / (k * normal); // ten steps with k K Δγ = 2.5
   EXPECT_NEAR(pressure_after(WearUpdate::within, longer, 10), -normal * gap * std::pow(3.5, -10), 1e-15);
   EXPECT_LT(pressure_after(WearUpdate::after, longer, 1), normal * gap); // beyond the other side
+}
+
+/// As press_and_drag, with a face that has worn before.
+Census wear_and_drag(Couple couple, unsigned seed) {
+  Random random(seed);
+  Census census;
+  couple.pair.take(duration);
+  couple.shake(random, 0.005).touch().move_die(0, -0.06).evaluate();
+  for (const double way : {0.05, 0.1}) {
+    couple.pair.accept();
+    couple.move_die(way, -0.005).shake(random, 0.002).evaluate();
+  }
+  couple.pair.accept();
+  for (const double way : {0.02, 0.1, -0.05}) {
+    couple.move_die(way, 0).shake(random, 0.0005);
+    compare_with_differences(couple, census);
+  }
+  return census;
+}
+
+TEST(Wear, TangentIsTheForcesDerivativeWhereFacesHaveWorn) {
+  Census sum;
+  unsigned seed = 0;
+  for (const InterfaceLaw& law : laws()) {
+    sum.add(wear_and_drag(Couple("N2-N2.1", slab("N2"), law, 0.8, 1.0), ++seed));
+    sum.add(wear_and_drag(pressed_disc("N2", slab("N2"), Law(law, MultiplierSpace::equal), 0.8, 1.0), ++seed));
+  }
+  sum.expect({.states = 20, .stick = 0, .slip = 100});
 }
 
 TEST(Wear, TangentIsTheForcesDerivativeInThePlane) {

@@ -123,7 +123,8 @@ the accepted state, 0 in accepted states; crossed_at is the reference position o
     arguments = { a_contact },
     returns = t.record("fx fy", t.number, "fz?", t.number, "area max_pressure mean_pressure max_penetration", t.number,
       "weighted_penetration? imbalance? slip? debonded? worn_volume?", t.number,
-      "active slipping unsettled crossed flawed?", t.integer(0), "per", t.text, "flaw?", t.text, "unsettled_at? crossed_at? flawed_at?", t.point),
+      "active slipping unsettled crossed flawed?", t.integer(0), "per", t.text, "flaw?", t.text,
+      "unsettled_at? crossed_at? flawed_at?", t.point),
     example = "model:contact_resultant(\"interface\").area" },
   { "model:tie_profile", [[Returns lists along the slave face of a tie, one entry per quadrature point opposite the
 master: x, y (current), X, Y (reference), area (reference area with the point's weight), tx, ty (traction of the master
