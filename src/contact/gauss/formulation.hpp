@@ -132,8 +132,8 @@ template <int D> History<D> initial_history(const Formulation<D>& contact);
 /// Gaps of all points, less their offsets, at the faces' current position (an evaluation projects only points that may
 /// touch).
 template <int D> std::vector<double> gaps(const Formulation<D>& contact, const History<D>& history);
-/// Energy of the law at point i and of multiplier a: that of its springs and of adhesion, which is part of its result,
-/// or ∫ p dg A where the pressure is a formula, which evaluations leave out.
+/// Energy of the law at point i and of multiplier a: that of springs and of adhesion, which is part of the result, and
+/// ∫ p dg A where the pressure is a formula, which evaluations leave out.
 template <int D> double potential(const Formulation<D>& contact, const History<D>& history, std::size_t i);
 template <int D> double multiplier_potential(const Formulation<D>& contact, const History<D>& history, std::size_t a);
 /// Energy of all points and multipliers.
