@@ -1,7 +1,7 @@
 #pragma once
 // Law of one multiplier of mortar contact [theory 8.1].
 
-#include "contact/law/interface_law.hpp"
+#include "contact/point/frame.hpp"
 #include "contact/point/history.hpp"
 
 namespace signorini::contact {
@@ -14,7 +14,7 @@ template <int D> struct MultiplierSums {
   double before = 0;              ///< at the guess of a step: the same with the gaps of the accepted state
   Vec<D> normal = Vec<D>::Zero(); ///< Σ w_k n̄_k; this and the following with friction only
   Vec<D> slip = Vec<D>::Zero();   ///< Σ w_k v_k
-  Vec<D> along = Vec<D>::Zero();  ///< Σ w_k xˢ_,1
+  Vec<D> along = Vec<D>::Zero();  ///< Σ w_k a^α xˢ_,α, see ContactPoints::axis()
 
   void add(double weight, const MultiplierSums& other) {
     area += weight * other.area;
@@ -26,14 +26,7 @@ template <int D> struct MultiplierSums {
   }
 };
 
-/// State to which a closed multiplier is fixed, and Controls::tie().
-struct FrictionControl {
-  FixedContactState fixed;
-  double tie;
-  Interface interface = {};
-};
-
-/// Derivatives of z_A and t_A with respect to ḡ_A, Σ w n̄, V_A = Σ w v/a_A and Σ w xˢ_,1; zero if open.
+/// Derivatives of z_A and t_A with respect to ḡ_A, Σ w n̄, V_A = Σ w v/a_A and Σ w a^α xˢ_,α; zero if open.
 template <int D> struct MultiplierTangent {
   double pressure = 0; ///< ∂z/∂ḡ
   Vec<D> of_gap = Vec<D>::Zero();
@@ -44,7 +37,7 @@ template <int D> struct MultiplierTangent {
 /// the friction t_A in the plane normal to n_A:
 ///   trial ε_T (η_A + V_A − V*_A), returned to |t_A| ≤ μ z_A,   η_A the elastic slip of the accepted state,
 /// V*_A the slip V_A of the step where the multiplier touches.
-/// η_A has components along e₁, the direction of Σ w xˢ_,1 in this plane, and e₂ = n_A × e₁ (3D), so that it
+/// η_A has components along e₁, the direction of Σ w a^α xˢ_,α in this plane, and e₂ = n_A × e₁ (3D), so that it
 /// turns with the slave.
 template <int D>
 MultiplierTangent<D> mortar_law(const InterfaceLaw& law, const MultiplierSums<D>& sums,

@@ -1,8 +1,28 @@
 #include "contact/mortar/multiplier_law.hpp"
 
-#include "contact/law/slide.hpp"
+#include "contact/point/frame.hpp"
 
 namespace signorini::contact {
+
+namespace {
+
+/// Subtracts the friction P(x) of a law with an axis from the conditions: in components, δx = ε_T δv − δλ.
+template <int D>
+void subtract_friction(const InterfaceLaw& law, const LocalGeometry<D>& geometry, const Vec<D>& x,
+                       const LocalBlock<D>& slip, double q, const LocalRow<D>& q_row, const GapRows<D>& gap,
+                       PointCondition<D>& condition) {
+  const PlaneSlide<D> found = slide_along_axes(law, geometry, Vec<D>(x / law.tangential), q);
+  condition.state = found.step.state;
+  condition.slipped = found.step.slipped;
+  condition.mu = found.step.mu;
+  condition.flaw = found.step.flaw;
+  condition.residual -= found.friction;
+  condition.rows -= found.of_pressure * q_row;
+  condition.rows -= friction_rows(found, geometry, slip, gap);
+  condition.of_multiplier -= found.of_pressure * geometry.normal.transpose() - found.of_slip / law.tangential;
+}
+
+} // namespace
 
 template <int D> PointCondition<D> open_condition(const Vec<D>& multiplier, bool frictional) {
   PointCondition<D> condition;
@@ -15,7 +35,6 @@ template <int D> PointCondition<D> open_condition(const Vec<D>& multiplier, bool
 template <int D>
 PointCondition<D> closed_condition(const InterfaceLaw& law, const LocalGeometry<D>& geometry, const Vec<D>& multiplier,
                                    bool frictional, const GapRows<D>& gap, const LocalShift<D>& shift) {
-  using Force = LocalForce<D>;
   PointCondition<D> condition;
   condition.state = ContactState::stick;
   condition.mu = law.coefficient ? 0 : law.friction;
@@ -34,12 +53,15 @@ PointCondition<D> closed_condition(const InterfaceLaw& law, const LocalGeometry<
   condition.of_multiplier = n * n.transpose() - Mat<D>::Identity();
   condition.rows = n * q_row + q * gap.normal;
   if (law.friction > 0 && geometry.slip_point) {
-    // y = T x,  δy = T δx − (n·x) δn − n (x·δn),  x = ε_T v − λ
-    const Vec<D> x = law.tangential * (geometry.master->position - *geometry.slip_point) - multiplier, y = plane * x;
-    LocalBlock<D> slip = LocalBlock<D>::Zero();
-    slip.template middleCols<D>(Force::master_column).setIdentity();
-    slip.template middleCols<D>(Force::slip_column).diagonal().setConstant(-1);
-    for (int a = 0; a < D - 1; ++a) slip.noalias() += geometry.master->tangent[a] * shift.row(a);
+    // x = ε_T v − λ
+    const Vec<D> x = law.tangential * (geometry.master->position - *geometry.slip_point) - multiplier;
+    const LocalBlock<D> slip = slip_rows(geometry, shift);
+    if (law.along) {
+      subtract_friction(law, geometry, x, slip, q, q_row, gap, condition);
+      return condition;
+    }
+    // y = T x,  δy = T δx − (n·x) δn − n (x·δn)
+    const Vec<D> y = plane * x;
     LocalBlock<D> rows =
         law.tangential * (plane * slip) - (n.dot(x) * Mat<D>::Identity() + n * x.transpose()) * gap.normal;
     Mat<D> of_multiplier = -plane;

@@ -1,6 +1,6 @@
 #include "contact/point/interface_force.hpp"
 
-#include "contact/law/slide.hpp"
+#include "contact/point/frame.hpp"
 
 namespace signorini::contact {
 
@@ -10,6 +10,16 @@ namespace {
 template <int D, class Visit> void each_range(const Visit& visit) {
   visit.template operator()<0, D>();
   visit.template operator()<LocalForce<D>::master_column, D * D>();
+}
+
+/// What a law of friction has found at a point, in axes or not.
+template <int D, int N>
+void store(const Slide<N>& step, const Vec<D>& friction, double tangential, LocalForce<D>& result) {
+  result.state = step.state;
+  result.mu = step.mu;
+  result.flaw = step.flaw;
+  result.friction = friction;
+  result.potential += friction.squaredNorm() / (2 * tangential); // |t_T|²/(2 ε_T)
 }
 
 /// Subtracts the friction of a point with a slip point from its traction, with the response to its gap.
@@ -30,11 +40,7 @@ void rub(const InterfaceLaw& law, const LocalGeometry<D>& geometry, const LocalR
   trial_rows.template middleCols<D>(Force::slip_column).diagonal().setConstant(-law.tangential);
 
   const Slide<D> step = slide<D>(law, trial, result.pressure, geometry.fixed_state, geometry.tie, geometry.interface);
-  result.state = step.state;
-  result.mu = step.mu;
-  result.flaw = step.flaw;
-  result.friction = step.friction;
-  result.potential += step.friction.squaredNorm() / (2 * law.tangential); // |t_T|²/(2 ε_T)
+  store<D, D>(step, step.friction, law.tangential, result);
   if (step.state == ContactState::stick) {
     traction_rows -= trial_rows;
     return;
@@ -45,6 +51,17 @@ void rub(const InterfaceLaw& law, const LocalGeometry<D>& geometry, const LocalR
         step.of_trial * trial_rows.template middleCols<Count>(From);
   });
   traction_rows.template middleCols<D>(Force::slip_column) = law.tangential * step.of_trial;
+}
+
+/// The same of a law with an axis, whose friction is in the plane normal to n̄.
+template <int D>
+void rub_along_axes(const InterfaceLaw& law, const LocalGeometry<D>& geometry, const GapRows<D>& rows, double rate,
+                    LocalForce<D>& result, LocalBlock<D>& traction_rows) {
+  const Vec<D> slip = geometry.master->position - *geometry.slip_point;
+  const PlaneSlide<D> found = slide_along_axes(law, geometry, slip, result.pressure);
+  store<D, D - 1>(found.step, found.friction, law.tangential, result);
+  traction_rows -=
+      (rate * found.of_pressure) * rows.gap + friction_rows(found, geometry, slip_rows(geometry, result.shift), rows);
 }
 
 } // namespace
@@ -70,8 +87,12 @@ void interface_force(const InterfaceLaw& law, const LocalGeometry<D>& geometry, 
   result.potential = response.potential;
   // A point with a fixed state may be in tension, where Coulomb's limit does not exist.
   const bool rubs = result.pressure > 0 || geometry.fixed_state == FixedContactState::stick;
-  if (law.friction > 0 && geometry.slip_point && rubs)
-    rub(law, geometry, rows.gap, response.rate, result, traction_rows);
+  if (law.friction > 0 && geometry.slip_point && rubs) {
+    if (law.along)
+      rub_along_axes(law, geometry, rows, response.rate, result, traction_rows);
+    else
+      rub(law, geometry, rows.gap, response.rate, result, traction_rows);
+  }
   const Vec<D> traction = result.pressure * n - result.friction;
 
   LocalRow<D> measure_row;

@@ -30,7 +30,8 @@ struct Parameters {
   }
   /// Coulomb's μ and the penalty parameter ε_N (0: none), which warnings and the diagnosis compare with usual values.
   double friction(const Changes& changes) const { return law ? changed(*law, changes).friction : 0; }
-  bool by_formula() const { return law && law->coefficient; }
+  /// True if the coefficient of friction differs between points or directions.
+  bool by_formula() const { return law && (law->coefficient || law->ellipse); }
   double penalty(const Changes& changes) const { return law ? changed(*law, changes).normal : 0; }
   /// Both half passes compute the whole energy of the springs and the whole work of friction between the faces: each
   /// counts half.

@@ -1,0 +1,96 @@
+#include "contact/point/frame.hpp"
+
+namespace signorini::contact {
+
+namespace {
+
+/// The vector e₂ of a frame for components (c₁, c₂): c₁ e₂ − c₂ e₁, by which Σ c_i e_i changes per spin.
+template <int D> Vec<D> turned(const Frame<D>& frame, const FaceCoordinates<D>& c) {
+  if constexpr (D == 2)
+    return Vec<D>::Zero();
+  else
+    return c(0) * frame.axes.col(1) - c(1) * frame.axes.col(0);
+}
+
+} // namespace
+
+template <int D> Frame<D> frame_of(const Vec<D>& normal, const Vec<D>& along) {
+  Frame<D> frame;
+  const double length = normal.norm();
+  const Vec<D> n = normal / length;
+  frame.normal = n;
+  frame.turn = (Mat<D>::Identity() - n * n.transpose()) / length;
+  const double across = n.dot(along);
+  const Vec<D> first = along - across * n;
+  frame.axes.col(0) = first.normalized();
+  if constexpr (D == 3) {
+    const Vec<D> second = n.cross(Vec<D>(frame.axes.col(0)));
+    frame.axes.col(1) = second;
+    // φ = e₂·δe₁ = e₂·(δa − (n·a) δn)/|first|
+    frame.spin_along = second.transpose() / first.norm();
+    frame.spin_normal = -across * frame.spin_along;
+  }
+  return frame;
+}
+
+template <int D>
+PlaneSlide<D> slide_in(const Frame<D>& frame, const InterfaceLaw& law, const FaceCoordinates<D>& elastic,
+                       const Vec<D>& v, double pressure, const FrictionControl& control) {
+  using Components = FaceCoordinates<D>;
+  using Square = Eigen::Matrix<double, D - 1, D - 1>;
+  PlaneSlide<D> result;
+  const auto& e = frame.axes;
+  const Components slip = e.transpose() * v, trial = law.tangential * (elastic + slip);
+  const Slide<D - 1> step = slide<D - 1>(law, trial, pressure, control.fixed, control.tie, control.interface);
+  Square scale = Square::Identity(); // ∂traction/∂trial
+  if (step.state == ContactState::slip) {
+    scale = step.of_trial;
+    result.of_pressure = step.of_pressure * (e * step.direction);
+  }
+  result.step = step;
+  result.slip = slip;
+  result.friction = e * step.friction;
+
+  // t = Σ_i t_i e_i,  δtrial_i = ε_T (e_i·δV + δe_i·V),  with δe_i of the frame
+  const Eigen::Matrix<double, D, D - 1> stiff = law.tangential * e * scale;
+  const Vec<D>& n = frame.normal;
+  result.of_slip = stiff * e.transpose();
+  Components spun = Components::Zero(); // ∂(e_i·V)/∂φ
+  if constexpr (D == 3) spun = Components(slip(1), -slip(0));
+  const Vec<D> by_spin = stiff * spun + turned(frame, step.friction);
+  Mat<D> by_normal = -n.dot(v) * (stiff * e.transpose()) - n * result.friction.transpose();
+  by_normal += by_spin * frame.spin_normal;
+  result.of_normal = by_normal * frame.turn;
+  result.of_along = by_spin * frame.spin_along;
+  return result;
+}
+
+template <int D>
+PlaneSlide<D> slide_along_axes(const InterfaceLaw& law, const LocalGeometry<D>& geometry, const Vec<D>& slip,
+                               double pressure) {
+  const Frame<D> frame = frame_of<D>(geometry.normal, direction_of<D>(geometry.axis, geometry.slave_tangent));
+  return slide_in<D>(frame, law, FaceCoordinates<D>::Zero(), slip, pressure,
+                     {geometry.fixed_state, geometry.tie, geometry.interface});
+}
+
+template <int D>
+LocalBlock<D> friction_rows(const PlaneSlide<D>& found, const LocalGeometry<D>& geometry, const LocalBlock<D>& slip,
+                            const GapRows<D>& gap) {
+  LocalBlock<D> rows = found.of_slip * slip + found.of_normal * gap.normal;
+  for (int a = 0; a < D - 1; ++a)
+    rows.template middleCols<D>(LocalForce<D>::slave_tangent_column + D * a) += geometry.axis(a) * found.of_along;
+  return rows;
+}
+
+#define SIGNORINI_INSTANTIATE(D)                                                                                       \
+  template Frame<D> frame_of(const Vec<D>&, const Vec<D>&);                                                            \
+  template PlaneSlide<D> slide_in(const Frame<D>&, const InterfaceLaw&, const FaceCoordinates<D>&, const Vec<D>&,      \
+                                  double, const FrictionControl&);                                                     \
+  template PlaneSlide<D> slide_along_axes(const InterfaceLaw&, const LocalGeometry<D>&, const Vec<D>&, double);        \
+  template LocalBlock<D> friction_rows(const PlaneSlide<D>&, const LocalGeometry<D>&, const LocalBlock<D>&,            \
+                                       const GapRows<D>&);
+SIGNORINI_INSTANTIATE(2)
+SIGNORINI_INSTANTIATE(3)
+#undef SIGNORINI_INSTANTIATE
+
+} // namespace signorini::contact
