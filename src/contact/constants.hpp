@@ -87,6 +87,8 @@ inline constexpr double rule_hysteresis = 2;
 
 // ── Slip points ──────────────────────────────────────────────────────────────────────────────────────────────────────
 
+/// Least length of an axis of friction on the slave face, relative to its length in space.
+inline constexpr double least_axis = 1e-6;
 /// Largest distance of a slip point from Coulomb's cone, relative to its trial distance.
 inline constexpr double slip_tolerance = 1e-6;
 /// Iterations for the slip at which a formula of friction is met: bisection, the safeguard, needs 53.

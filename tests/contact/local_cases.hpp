@@ -36,6 +36,7 @@ template <int D> struct Situation {
   bool slips = false, revolved = false;
   double reference_measure = 1;
   FixedContactState fixed_state = FixedContactState::free;
+  FaceCoordinates<D> axis = FaceCoordinates<D>::Unit(0);
 };
 
 template <int D> struct Outcome {
@@ -106,6 +107,7 @@ template <int D> Outcome<D> evaluate(const InterfaceLaw& law, const Variables<D>
   geometry.revolved = situation.revolved;
   geometry.reference_measure = situation.reference_measure;
   geometry.fixed_state = situation.fixed_state;
+  geometry.axis = situation.axis;
   outcome.gap = geometry.gap;
   interface_force(law, geometry, outcome.force);
   return outcome;

@@ -47,6 +47,29 @@ std::vector<InterfaceLaw> laws() {
   return list;
 }
 
+/// Wear with friction that depends on the direction: in the plane by its sign, in space also on an ellipse.
+std::vector<InterfaceLaw> directed(int dimension) {
+  const auto graph = std::make_shared<symbolic::Graph>(friction_variables());
+  const Term cosine{graph, graph->variable(7)};
+  InterfaceLaw formula{normal, tangential, 1};
+  const Term mu = 0.1 * cosine + 0.3;
+  formula.coefficient = make_friction_formula({*graph, mu.node});
+  InterfaceLaw ellipse{normal, tangential, 0.4};
+  ellipse.ellipse = Vec<2>(0.2, 0.4);
+  std::vector<InterfaceLaw> list{formula};
+  if (dimension == 3) list.push_back(ellipse);
+  for (InterfaceLaw& law : list) {
+    law.along = Vec<3>(1, dimension == 3 ? 0.3 : 0, 0);
+    law.wear = {formula_of(number)};
+  }
+  return list;
+}
+
+std::vector<InterfaceLaw> joined(std::vector<InterfaceLaw> one, const std::vector<InterfaceLaw>& other) {
+  one.insert(one.end(), other.begin(), other.end());
+  return one;
+}
+
 template <int N> void wears() {
   Random random(N);
   int worn = 0;
@@ -163,7 +186,7 @@ TEST(Wear, TangentIsTheForcesDerivativeWhereFacesHaveWorn) {
 TEST(Wear, TangentIsTheForcesDerivativeInThePlane) {
   Census sum;
   unsigned seed = 0;
-  for (const InterfaceLaw& law : laws())
+  for (const InterfaceLaw& law : joined(laws(), directed(2)))
     for (const bool revolved : {false, true}) {
       for (const Law& any : {Law(law), Law(law, {}, Pass::half)}) {
         Couple couple("N2-N2.1", slab("N2"), any, 0.8, 1.0, revolved);
@@ -182,7 +205,7 @@ TEST(Wear, TangentIsTheForcesDerivativeInThePlane) {
 TEST(Wear, TangentIsTheResidualsDerivativeWithMultipliers) {
   Census sum;
   unsigned seed = 0;
-  for (const InterfaceLaw& own : laws()) {
+  for (const InterfaceLaw& own : joined(laws(), directed(2))) {
     Law law(own, MultiplierSpace::equal);
     law.law.enforcement = Enforcement::multipliers;
     Couple couple = pressed_disc("N2", slab("N2"), law, 0.8, 1.0);
@@ -195,7 +218,7 @@ TEST(Wear, TangentIsTheResidualsDerivativeWithMultipliers) {
 TEST(Wear, TangentIsTheForcesDerivativeOfSolids) {
   Random random(3);
   Census census;
-  for (const InterfaceLaw& law : laws())
+  for (const InterfaceLaw& law : joined(laws(), directed(3)))
     for (const Law& any : {Law(law), Law(law, MultiplierSpace::equal)}) {
       Couple3 couple("N2", wavy_plate(random, 3, 0.02, 2, 4), any, {1.4, 1.5, 0.1}, 5);
       couple.pair.take(duration);

@@ -49,6 +49,7 @@ off. Where it pulls, at p < 0, it is adhesion, with per = "reference". For enfor
     unit = "length", otherwise = "0" },
   { "friction", t.named {
     rows.coefficient,
+    rows.along,
     { "penalty", t.positive, "tangential penalty, stiffness of elastic slip", unit = "pressure per length",
       otherwise = "that of the contact, with `pressure` 30 E / h" },
   }, "Coulomb friction", otherwise = "none" },

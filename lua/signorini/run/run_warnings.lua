@@ -265,7 +265,7 @@ end
 
 local function rubs(model, contact)
   local law = model:contact_law(contact)
-  return law.mu_formula ~= nil or (law.mu or 0) > 0
+  return law.mu_formula ~= nil or (law.mu or law.mu1 or 0) > 0
 end
 
 local function sticks(model)

@@ -76,8 +76,8 @@ function formula.level_set(values)
   return core.level_set{ f = formula_of(where, "f", values.f, symbols), low = low, high = high }
 end
 
--- As friction_variables() of src/contact/law/friction_formula.cpp; users have the first six.
-local friction_names = { "p", "v", "slip", "X", "Y", "Z", "recent" }
+-- As friction_variables() of src/contact/law/friction_formula.cpp; users have all but `recent`.
+local friction_names = { "p", "v", "slip", "X", "Y", "Z", "recent", "cosine" }
 
 --- The formula of a coefficient of friction: of a function, or of { static, kinetic, over }.
 function formula.friction(name, mu)
@@ -85,9 +85,16 @@ function formula.friction(name, mu)
   if type(mu) == "table" then
     return mu.kinetic + (mu.static - mu.kinetic) * core.sg.exp(-symbols[7] / mu.over)
   end
-  local given = table.move(symbols, 1, 6, 1, {})
+  local given = table.move(symbols, 1, 6, 1, { [7] = symbols[8] })
   check_parameters("sg.model", name, mu, given, true, "write those that it uses, in this order")
   return formula_of("sg.model", name, mu, given)
+end
+
+--- The formula of a rate of wear.
+function formula.wear(name, rate)
+  local symbols = table.move(core.symbols(friction_names), 1, 6, 1, {})
+  check_parameters("sg.model", name, rate, symbols, true, "write those that it uses, in this order")
+  return formula_of("sg.model", name, rate, symbols)
 end
 
 --- The formula of a pressure.

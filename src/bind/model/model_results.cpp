@@ -98,8 +98,11 @@ template <int D> int contact_law(const model::Model<D>& model, const std::string
   if (contact::may_rub(law)) set_field(L, "friction_penalty", law.tangential);
   if (const auto& formula = law.coefficient)
     set_field(L, "mu_formula", contact::text_of(*formula));
+  else if (law.ellipse)
+    set_fields(L, "mu1", (*law.ellipse)(0), "mu2", (*law.ellipse)(1));
   else if (contact::may_rub(law))
     set_field(L, "mu", law.friction);
+  if (law.along) set_field(L, "along", VectorX(law.along->template head<D>()));
   if (law.wear) set_field(L, "wear_rate", contact::text_of(*law.wear->rate));
   if (contact::of_rate(law))
     set_field(L, "of_rate", law.coefficient && law.coefficient->of_rate ? "friction.mu" : "wear.rate");

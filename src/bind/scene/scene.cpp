@@ -68,11 +68,22 @@ const Symbol& read_formula(const Arguments& a, const char* key, const char* make
   return read_object<Symbol>(L, -1, {"a formula"});
 }
 
-/// μ: a number, or a formula.
-void read_coefficient(const Arguments& friction, contact::InterfaceLaw& law) {
+/// μ: a number, two in the directions of an axis, or a formula.
+void read_coefficient(const Arguments& friction, int dimension, contact::InterfaceLaw& law) {
   law.frictional = true;
+  if (friction.has("along")) {
+    const auto along = friction.get<VectorX>("along");
+    require(along.size() == dimension, friction.name("along"), " must have ", dimension, " components, got ",
+            along.size());
+    law.along.emplace(Vec<3>::Zero()).head(dimension) = along;
+  }
   if (friction.is("mu", LUA_TNUMBER)) {
     law.friction = friction.get<double>("mu");
+    return;
+  }
+  if (friction.is("mu", LUA_TTABLE) && lua_rawlen(friction.state(), friction.push("mu")) > 0) {
+    law.ellipse = friction.get<VectorX>("mu");
+    law.friction = law.ellipse->maxCoeff();
     return;
   }
   const Symbol& mu = read_formula(friction, "mu", "friction");
@@ -89,13 +100,13 @@ contact::Wear read_wear(const Arguments& wear) {
     const int rate = graph.constant(wear.get<double>("rate"));
     law.rate = contact::make_friction_formula({graph, rate});
   } else {
-    const Symbol& rate = read_formula(wear, "rate", "friction");
+    const Symbol& rate = read_formula(wear, "rate", "wear");
     law.rate = contact::make_friction_formula({*rate.graph, rate.node});
   }
   return law;
 }
 
-contact::Method read_method(const Arguments& a) {
+contact::Method read_method(const Arguments& a, int dimension) {
   if (a.has("adhesion")) {
     const Arguments adhesion = a.table("adhesion");
     return contact::adhesive({adhesion.get<double>("hamaker"), adhesion.get<double>("r0")});
@@ -109,7 +120,7 @@ contact::Method read_method(const Arguments& a) {
   }
   if (a.has("friction")) {
     const Arguments friction = a.table("friction");
-    read_coefficient(friction, law);
+    read_coefficient(friction, dimension, law);
     law.tangential = friction.get("penalty", 0.0);
   }
   if (a.has("wear")) law.wear = read_wear(a.table("wear"));
@@ -169,7 +180,7 @@ template <int D> model::Contact<D> read_contact(SceneBuilder<D>& builder, const 
   for (const model::FaceReference& face : contact.slave)
     require(!master || !master->contains(face), a.name("master"), " is the same face as ", a.name("slave"),
             "; self-contact is not available: use a face of the other body");
-  contact.method = read_method(a);
+  contact.method = read_method(a, D);
   contact.adaptive_points = a.is("points", LUA_TSTRING);
   require(!contact.adaptive_points || !of_rate(contact.method.law), a.name("points"),
           " is \"auto\", but a formula depends on v, which points that begin to act do not know: give a number");
@@ -186,6 +197,8 @@ template <int D> model::Contact<D> swapped(const SceneBuilder<D>& builder, const
   const model::Faces slave = std::get<model::Faces>(pass.master);
   pass.master = pass.slave;
   pass.slave = slave;
+  // What slides along an axis under the one face slides against it under the other.
+  if (auto& along = pass.method.law.along) along = -*along;
   if (!a.has("points") || pass.adaptive_points) pass.points = default_points(builder.scene, slave);
   pass.name += ".master";
   return pass;

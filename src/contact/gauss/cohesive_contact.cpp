@@ -28,6 +28,7 @@ CohesiveContact<D>::CohesiveContact(const ContactSetting<D>& setting, const Inte
     : GaussPointContact<D>(setting, law), bonds_{cohesion, std::vector<Projection<D>>(points_.size())} {
   check(cohesion);
   require(law.per == TractionArea::reference && law.enforcement == Enforcement::penalty, "contact.cohesion.penalty");
+  require(!law.along, "contact.cohesion.axis");
   const double most = bond_distance * strongest_opening(cohesion);
   double nearest = std::numeric_limits<double>::infinity();
   bool any = false;

@@ -1,5 +1,6 @@
 #include "contact/gauss/formulation.hpp"
 
+#include "base/error.hpp"
 #include "contact/point/crossing.hpp"
 #include "os/timer.hpp"
 
@@ -16,6 +17,8 @@ Formulation<D>::Formulation(ContactSetting<D> setting, std::optional<InterfaceLa
               setting.adaptive ? (2 * setting.points + 2) / 3 : 0),
       parameters_{setting.start, law, pass} {
   if (law) check(*law);
+  require(D == 3 || !law || !law->ellipse, "contact.friction.plane");
+  if (law && law->along) set_axes(points_, faces_.slave, Vec<D>(law->along->template head<D>()));
   if (!setting.start.interference) return;
   for (const double gap : gaps(*this, History<D>(points_))) parameters_.overlap.push_back(std::max(0.0, -gap));
 }

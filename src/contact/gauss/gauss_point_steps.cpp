@@ -59,17 +59,34 @@ void GaussPointContact<D>::advance_slip_point(std::size_t i, History<D>& history
     FacePoint<D> foot, slip_point;
     master.locate(point.projection.point(), foot);
     master.locate(point.slip, slip_point);
-    // |x̄ᵐ − xᵐ(ξ_sl)| decreases to μ t_N/ε_T; the difference is the slip Δγ.
-    const double length = result.mu * pressure_of(history, i) * stretch(result) / law.tangential;
-    const double before = (slip_point.position - foot.position).norm(), slipped = std::max(before - length, 0.0);
-    history.dissipated += parameters_.energy_share() * 0.5 * (before_slip + limit) * slipped;
-    slip_of_step = slipped;
-    point.slip = master.advance(point.slip, foot, length);
-    master.locate(point.slip, slip_point);
-    const double after = (slip_point.position - foot.position).norm();
+    const double before = (slip_point.position - foot.position).norm();
+    double error = 0; // of the new slip point
+    if (law.along) {
+      // In the plane normal to n̄, x̄ᵐ − xᵐ(ξ_sl) decreases to t/ε_T; the difference is the slip.
+      FacePoint<D> closest;
+      master.locate(point.projection, closest);
+      const Vec<D> n = contact_normal(master, point.projection, closest, result.position);
+      const Vec<D> elastic = friction_of(history, i) * stretch(result) / law.tangential;
+      const auto slip_from = [&](const Vec<D>& place) -> Vec<D> {
+        const Vec<D> chord = foot.position - place;
+        return chord - n.dot(chord) * n - elastic;
+      };
+      slip_of_step = slip_from(slip_point.position).norm();
+      point.slip = master.along_normal(foot.position - elastic, n, point.projection);
+      master.locate(point.slip, slip_point);
+      error = slip_from(slip_point.position).norm();
+    } else {
+      // |x̄ᵐ − xᵐ(ξ_sl)| decreases to μ t_N/ε_T; the difference is the slip Δγ.
+      const double length = result.mu * pressure_of(history, i) * stretch(result) / law.tangential;
+      slip_of_step = std::max(before - length, 0.0);
+      point.slip = master.advance(point.slip, foot, length);
+      master.locate(point.slip, slip_point);
+      error = std::abs((slip_point.position - foot.position).norm() - length);
+    }
+    history.dissipated += parameters_.energy_share() * 0.5 * (before_slip + limit) * slip_of_step;
     // Distances are differences of positions, whose rounding errors exceed the tolerance where springs are very short.
     const double rounding = distance_rounding * (foot.position.norm() + slip_point.position.norm());
-    if (slipped > 0 && std::abs(after - length) > slip_tolerance * before + rounding) result.settled = false;
+    if (slip_of_step > 0 && error > slip_tolerance * before + rounding) result.settled = false;
   }
   add_slip(point, result.state, slip_of_step);
 }

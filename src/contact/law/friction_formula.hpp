@@ -11,21 +11,21 @@
 
 namespace signorini::contact {
 
-/// μ, ∂μ/∂p and dμ/dΔγ.
+/// μ, ∂μ/∂p, dμ/dΔγ and ∂μ/∂c.
 struct Coefficient {
-  double value, of_pressure, of_slip;
+  double value, of_pressure, of_slip, of_cosine = 0;
 };
 
 /// Copies of a law share it.
 struct FrictionFormula {
   symbolic::Formula formula; ///< of friction_variables()
-  symbolic::Tape tape;       ///< μ and its derivatives by p, v, slip and recent
-  bool of_rate;              ///< it depends on v
+  symbolic::Tape tape;       ///< μ and its derivatives by p, v, slip, recent and cosine
+  bool of_rate, of_cosine;   ///< it depends on v, on the direction of sliding
 
   Coefficient operator()(double pressure, double slip, const Interface& at) const;
 };
 
-/// "p", "v" (slip rate Δγ/Δt), "slip" (γ + Δγ), "X", "Y", "Z", "recent".
+/// "p", "v" (slip rate Δγ/Δt), "slip" (γ + Δγ), "X", "Y", "Z", "recent", "cosine".
 std::vector<std::string> friction_variables();
 
 /// The formula as Lua text.

@@ -10,6 +10,7 @@ struct Interface {
   double slipped = 0;            ///< γ, slip since the touch, in the accepted state
   double recent = 0;             ///< slip since the point last stuck for a whole step, in the accepted state
   Vec<3> place = Vec<3>::Zero(); ///< X, Y[, Z] of the slave point
+  double cosine = 0;             ///< c of the slave's slip and the axis e₁, set by slide()
 };
 
 /// A reference position as the place of an interface.

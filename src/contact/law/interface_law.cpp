@@ -12,6 +12,11 @@ void check(const InterfaceLaw& law) {
   require(law.pressure || law.normal > 0, "contact.penalty.normal", {{"value", law.normal}});
   require(law.friction >= 0, "contact.penalty.friction", {{"value", law.friction}});
   require(!may_rub(law) || law.tangential > 0, "contact.penalty.tangential", {{"value", law.tangential}});
+  const bool directed = law.ellipse || (law.coefficient && law.coefficient->of_cosine);
+  require(!directed || law.along, "contact.friction.no_axis");
+  require(directed || !law.along, "contact.friction.idle_axis");
+  if (law.along) require(law.along->norm() > 0, "contact.friction.zero_axis");
+  if (law.ellipse) require(law.ellipse->minCoeff() > 0, "contact.friction.ellipse", {{"value", *law.ellipse}});
 }
 
 InterfaceLaw changed(InterfaceLaw law, const Changes& changes) {

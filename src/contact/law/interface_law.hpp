@@ -33,7 +33,7 @@ enum class Enforcement : unsigned char { penalty, multipliers };
 struct InterfaceLaw {
   double normal;                            ///< ε_N > 0; 0 with adhesion or a formula
   double tangential = 0;                    ///< ε_T, used when friction > 0
-  double friction = 0;                      ///< Coulomb's μ ≥ 0; 1 if it is a formula
+  double friction = 0;                      ///< Coulomb's μ ≥ 0; 1 if it is a formula, of an ellipse the larger one
   TractionArea per = TractionArea::current; ///< reference, without friction: the forces derive from an energy
   Enforcement enforcement = Enforcement::penalty;
   bool frictional = false;                              ///< μ may change along the path, also if it is 0
@@ -41,6 +41,8 @@ struct InterfaceLaw {
   std::shared_ptr<const PressureFormula> pressure = {}; ///< in place of the penalty
   std::shared_ptr<const FrictionFormula> coefficient = {}; ///< in place of μ
   std::optional<Wear> wear = {};
+  std::optional<Vec<3>> along = {}; ///< of friction that depends on the direction: e₁ in the reference configuration
+  std::optional<Vec<2>> ellipse = {}; ///< in place of μ: μ₁ along e₁, μ₂ across
 };
 
 /// Adhesion acts on the reference area.

@@ -26,6 +26,49 @@ double find_slip(const InterfaceLaw& law, double magnitude, double pressure, con
   return slip;
 }
 
+/// ‖t/μ‖, the pressure at which a friction t is on the ellipse.
+double pressure_of(const Vec<2>& friction, const Vec<2>& mu) {
+  return friction.cwiseQuotient(mu).norm();
+}
+
+/// t·d/p of a friction on the ellipse, which slips along its normal d ∥ (t_i/μ_i²).
+double along_slip(const Vec<2>& friction, const Vec<2>& mu) {
+  return pressure_of(friction, mu) / friction.cwiseQuotient(mu.cwiseAbs2()).norm();
+}
+
+/// Returns a trial to the ellipse Σ (t_i/μ_i)² = p², to its closest point or, from inside, where a tie continues to
+/// slip, along the ray:
+///   t_i = A_i t*_i,   A_i = μ_i²/(μ_i² + ℓ),   w_i = A_i g_i,   g_i = t_i/μ_i²,
+///   ∂t/∂t* = diag(A) − w ⊗ w/(g·w),   ∂t/∂p = w p/(g·w)   [theory 7.6].
+void return_to_ellipse(const InterfaceLaw& law, const Vec<2>& trial, double pressure, Slide<2>& result) {
+  const Vec<2>& mu = *law.ellipse;
+  const Vec<2> squares = mu.cwiseAbs2();
+  Vec<2> factors = Vec<2>::Ones();
+  if (const double inside = pressure / pressure_of(trial, mu); inside > 1) {
+    result.friction = inside * trial;
+  } else {
+    // Newton's method for 1/‖t/μ‖ = 1/p, monotone from ℓ = 0
+    double multiplier = 0;
+    for (int iteration = 0; iteration < most_slip_iterations; ++iteration) {
+      factors = squares.cwiseQuotient((squares.array() + multiplier).matrix());
+      result.friction = factors.cwiseProduct(trial);
+      const Vec<2> scaled = result.friction.cwiseQuotient(mu);
+      const double norm = scaled.norm(), rate = scaled.cwiseAbs2().dot(factors.cwiseQuotient(squares));
+      const double next = multiplier + (norm / pressure - 1) * norm * norm / rate;
+      if (!(next > multiplier)) break;
+      multiplier = next;
+    }
+  }
+  const Vec<2> normal = result.friction.cwiseQuotient(squares), w = factors.cwiseProduct(normal);
+  const double scale = normal.dot(w);
+  result.of_trial = -w * w.transpose() / scale;
+  result.of_trial.diagonal() += factors;
+  result.direction = w.normalized();
+  result.of_pressure = pressure * w.norm() / scale;
+  result.mu = along_slip(result.friction, mu);
+  result.slipped = (trial - result.friction).norm() / law.tangential;
+}
+
 } // namespace
 
 template <int N>
@@ -43,10 +86,17 @@ Slide<N> slide(const InterfaceLaw& law, const Vec<N>& trial, double pressure, Fi
     result.of_trial.setZero();
     return result;
   }
-  const Coefficient onset = coefficient(law, p, 0, at);
-  double limit = onset.value * p;
+  Interface here = at;
+  if (law.along && magnitude > 0) here.cosine = trial(0) / magnitude;
+  Coefficient onset = coefficient(law, p, 0, here);
   result.mu = onset.value;
-  if (law.coefficient && onset.value == 0 && (*law.coefficient)(p, 0, at).value < 0)
+  if constexpr (N == 2)
+    if (law.ellipse && magnitude > 0) {
+      onset.value = magnitude / pressure_of(trial, *law.ellipse);
+      result.mu = along_slip(trial, *law.ellipse);
+    }
+  double limit = onset.value * p;
+  if (law.coefficient && onset.value == 0 && (*law.coefficient)(p, 0, here).value < 0)
     result.flaw = FrictionFlaw::negative;
   // (ε_T + μ ε_N) |tie|: change of |t| − μ p due to an error |tie| of gap and slip, below which the direction of the
   // friction is undefined
@@ -54,24 +104,33 @@ Slide<N> slide(const InterfaceLaw& law, const Vec<N>& trial, double pressure, Fi
   if (fixed == FixedContactState::stick || magnitude <= limit + error || magnitude <= -error || magnitude == 0)
     return result;
   result.state = ContactState::slip;
+  if constexpr (N == 2)
+    if (law.ellipse && p > 0) {
+      return_to_ellipse(law, trial, p, result);
+      return result;
+    }
   result.direction = trial / magnitude;
   const Mat<N> along = result.direction * result.direction.transpose();
   if (pressure > 0) result.of_pressure = onset.value;
   result.slipped = (magnitude - limit) / law.tangential;
-  double share = 0; // 1 − ε_T/D
+  double share = 0, turn = 0; // 1 − ε_T/D, (ε_T/D) p μ_c/|t*|
   if (law.coefficient && pressure > 0 && magnitude > limit) {
-    result.slipped = find_slip(law, magnitude, p, at);
-    const Coefficient mu = coefficient(law, p, result.slipped, at);
+    result.slipped = find_slip(law, magnitude, p, here);
+    const Coefficient mu = coefficient(law, p, result.slipped, here);
     const double stiffness = law.tangential + p * mu.of_slip;
     if (law.tangential + p * onset.of_slip <= 0 || stiffness <= 0) result.flaw = FrictionFlaw::jumps;
     result.mu = mu.value;
     limit = p * mu.value;
     share = 1 - law.tangential / stiffness;
     result.of_pressure = (1 - share) * (mu.value + p * mu.of_pressure);
+    turn = (1 - share) * p * mu.of_cosine / magnitude;
   }
   result.friction = limit * result.direction;
   result.of_trial = (limit / magnitude) * (Mat<N>::Identity() - along);
   if (share != 0) result.of_trial += share * along;
+  // δc = e₁·(I − n nᵀ) δt*/|t*|
+  if (turn != 0)
+    result.of_trial += turn * result.direction * (Vec<N>::Unit(0) - here.cosine * result.direction).transpose();
   return result;
 }
 

@@ -27,12 +27,13 @@ Depth<N> depth_at(const InterfaceLaw& law, double pressure, const Vec<N>& trial,
   }
   const double slipped = depth.slide.slipped;
   depth.value = k.value * pressure * slipped;
-  // ε_T Δγ = |t*| − |t|:  δΔγ = n·(δt* − δt)/ε_T
-  const Vec<N>& n = depth.slide.direction;
+  // ε_T Δγ = |t* − t|:  δΔγ = m·(δt* − δt)/ε_T,  m the direction of slip
+  const Vec<N> m =
+      law.ellipse && slipped > 0 ? Vec<N>((trial - depth.slide.friction).normalized()) : depth.slide.direction;
   const double by_slip = pressure * (k.value + slipped * k.of_slip);
-  depth.of_trial = (by_slip / law.tangential) * (n - depth.slide.of_trial.transpose() * n);
-  depth.of_pressure =
-      slipped * (k.value + pressure * k.of_pressure) - by_slip * depth.slide.of_pressure / law.tangential;
+  depth.of_trial = (by_slip / law.tangential) * (m - depth.slide.of_trial.transpose() * m);
+  depth.of_pressure = slipped * (k.value + pressure * k.of_pressure) -
+                      by_slip * depth.slide.of_pressure * m.dot(depth.slide.direction) / law.tangential;
   return depth;
 }
 

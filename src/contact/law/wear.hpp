@@ -1,5 +1,5 @@
 #pragma once
-// Pressure and friction of a step at one point that slips, and wears as it slips [theory 7.6].
+// Pressure and friction of a step at one point that slips, and wears as it slips [theory 7.7].
 
 #include "contact/law/slide.hpp"
 

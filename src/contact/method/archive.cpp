@@ -70,8 +70,9 @@ auto members(Adhesion& law) {
 }
 
 auto members(InterfaceLaw& law) {
-  auto& [normal, tangential, friction, per, enforcement, frictional, adhesion, pressure, coefficient, wear] = law;
-  return std::tie(normal, tangential, friction, per, enforcement, frictional, adhesion);
+  auto& [normal, tangential, friction, per, enforcement, frictional, adhesion, pressure, coefficient, wear, along,
+         ellipse] = law;
+  return std::tie(normal, tangential, friction, per, enforcement, frictional, adhesion, along, ellipse);
 }
 
 auto members(Cohesion& law) {

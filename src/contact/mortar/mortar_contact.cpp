@@ -77,9 +77,8 @@ void MortarContact<D>::weigh(std::size_t i, const Trial<D>& trial, FootPoints<D>
   one.area = own.weight * measure(i, result.position) * fade;
   one.gap = one.area * distance;
   if (frictional(trial.present)) {
-    one.normal = one.area * (foot == Foot::regular ? master.normal(feet.foot)
-                                                   : Vec<D>((result.position - feet.foot.position) / gap));
-    one.along = one.area * tangents(points_, faces_.slave, i)[0];
+    one.normal = one.area * contact_normal(master, point.projection, feet.foot, result.position);
+    one.along = one.area * direction_of<D>(points_.axis(i), tangents(points_, faces_.slave, i));
     if (!point.slips)
       // A point that was not projected in the accepted state slips from its foot point there.
       if (const auto from = faces_.accepted_foot(trial.accepted.results[i].position, point.projection)) {

@@ -2,6 +2,7 @@
 
 #include "contact/constants.hpp"
 #include "contact/mortar/multiplier_rows.hpp"
+#include "contact/point/frame.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -187,15 +188,23 @@ MasterPoint<D> MultiplierContact<D>::slipped_to(const PointHistory<D>& point, co
   master.locate(point.slip, found);
   const Vec<D> goal = found.position + slip;
   master.locate(point.projection, foot);
-  const Vec<D> n = master.normal(foot);
-  Projection<D> projection = point.projection;
-  Vec<D> near = goal;
-  for (int k = 0; k < slip_corrections; ++k) {
-    projection = master.project(near, projection, found);
-    const Vec<D> error = goal - found.position;
-    near += error - n.dot(error) * n;
-  }
-  return projection.point();
+  return master.along_normal(goal, master.normal(foot), point.projection);
+}
+
+/// The direction in which a point slips: that of its friction or, with an ellipse, of its normal (t_i/μ_i²).
+template <int D>
+Vec<D> MultiplierContact<D>::slip_direction(std::size_t i, const PointHistory<D>& point,
+                                            const PointResult<D>& result) const {
+  if constexpr (D == 3)
+    if (const auto& ellipse = parameters_.law->ellipse) {
+      FacePoint<D> foot;
+      faces_.master.locate(point.projection, foot);
+      const Vec<D> along = result.tangents * points_.axis(i);
+      const Frame<D> frame = frame_of<D>(contact_normal(faces_.master, point.projection, foot, result.position), along);
+      const Vec<2> normal = (frame.axes.transpose() * result.friction).cwiseQuotient(ellipse->cwiseAbs2());
+      return (frame.axes * normal).normalized();
+    }
+  return result.friction.normalized();
 }
 
 /// Sums the work of friction, ∫ μ p dγ by the trapezoidal rule. A point that slipped gets the slip point with which its
@@ -213,7 +222,7 @@ void MultiplierContact<D>::commit(History<D>& present, const History<D>& accepte
     } else if (result.state == ContactState::slip) {
       const double before_slip = limit_before(point.limit, before, friction, last.friction.norm() * last.area);
       present.dissipated += 0.5 * (before_slip + limit) * result.slipped;
-      point.slip = slipped_to(point, result.slipped * result.friction.normalized());
+      point.slip = slipped_to(point, result.slipped * slip_direction(i, point, result));
     }
     point.slips = closed;
     point.limit = limit;

@@ -49,6 +49,7 @@ private:
   void transmit(std::size_t i, const Trial<D>& trial, const Vec<D>& multiplier, const LocalGeometry<D>& geometry,
                 SumPart<D>& part, FootPoints<D>& feet);
   MasterPoint<D> slipped_to(const PointHistory<D>& point, const Vec<D>& slip) const;
+  Vec<D> slip_direction(std::size_t i, const PointHistory<D>& point, const PointResult<D>& result) const;
   void take_back(std::vector<Block>& blocks) override;
 
   MultiplierFunctions<D> functions_;

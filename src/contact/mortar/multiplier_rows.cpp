@@ -17,18 +17,14 @@ LocalRows<D> point_rows(const LocalGeometry<D>& geometry, const GapRows<D>& gap,
   if (!frictional) return rows;
   rows.template middleRows<D>(Rows::normal) = area * gap.normal + geometry.normal * area_row;
   if (slip_point) {
-    // v = x̄ᵐ − xᵐ(ξ̄ of the accepted state),  δv = δx̄ᵐ + τ_α δξ̄^α − δxᵐ
-    LocalBlock<D> slip = LocalBlock<D>::Zero();
-    slip.template middleCols<D>(Force::master_column).setIdentity();
-    slip.template middleCols<D>(Force::slip_column).diagonal().setConstant(-1);
-    for (int a = 0; a < D - 1; ++a) slip.noalias() += geometry.master->tangent[a] * shift.row(a);
-    rows.template middleRows<D>(Rows::slip) = area * slip;
+    rows.template middleRows<D>(Rows::slip) = area * slip_rows(geometry, shift);
     rows.template middleRows<D>(Rows::slip).noalias() += (geometry.master->position - slip_point->position) * area_row;
   }
   if constexpr (D == 3) {
     auto along = rows.template middleRows<D>(Rows::along);
-    along.template middleCols<D>(Force::slave_tangent_column).diagonal().setConstant(area);
-    along.noalias() += geometry.slave_tangent[0] * area_row;
+    for (int a = 0; a < D - 1; ++a)
+      along.template middleCols<D>(Force::slave_tangent_column + D * a).diagonal().setConstant(area * geometry.axis(a));
+    along.noalias() += direction_of<D>(geometry.axis, geometry.slave_tangent) * area_row;
   }
   return rows;
 }

@@ -8,7 +8,8 @@ namespace signorini::contact {
 
 /// Rows of the derivatives of one point's contributions, per unit of w M_A, with the area J per reference area on which
 /// tractions act (the fraction ω beyond open ends of the master, in a half pass times the stretch of the slave's area):
-/// J δg, g δJ, δJ, and with friction J δn̄ + n̄ δJ, J δv + v δJ, in 3D J δxˢ_,1 + xˢ_,1 δJ.
+/// J δg, g δJ, δJ, and with friction J δn̄ + n̄ δJ, J δv + v δJ, in 3D J δa + a δJ,
+/// a = a^α xˢ_,α.
 template <int D> struct PointRows {
   static constexpr int gap = 0, gap_area = 1, area = 2, normal = 3, slip = 3 + D, along = 3 + 2 * D;
   static constexpr int most = D == 2 ? along : along + D;

@@ -1,6 +1,7 @@
 #include "contact/point/contact_points.hpp"
 
 #include "base/error.hpp"
+#include "contact/constants.hpp"
 #include "contact/point/local.hpp"
 #include "solid/quadrature.hpp"
 
@@ -69,10 +70,24 @@ std::array<Vec<D>, D - 1> tangents(const ContactPoints<D>& points, const Surface
   return result;
 }
 
+template <int D> void set_axes(ContactPoints<D>& points, const Surface<D>& slave, const Vec<D>& direction) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::array<Vec<D>, D - 1> tangent = tangents(points, slave, i);
+    Eigen::Matrix<double, D, D - 1> basis;
+    for (int a = 0; a < D - 1; ++a) basis.col(a) = tangent[a];
+    // a^α = m^{αβ} xˢ_,β·a
+    const FaceCoordinates<D> axis = (basis.transpose() * basis).inverse() * (basis.transpose() * direction);
+    require(direction_of<D>(axis, tangent).norm() > least_axis * direction.norm(), "contact.friction.normal_axis",
+            {{"place", points.reference[i]}});
+    points.axes.push_back(axis);
+  }
+}
+
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \
   template struct ContactPoints<D>;                                                                                    \
   template Vec<D> position(const ContactPoints<D>&, const Surface<D>&, std::size_t);                                   \
-  template std::array<Vec<D>, D - 1> tangents(const ContactPoints<D>&, const Surface<D>&, std::size_t);
+  template std::array<Vec<D>, D - 1> tangents(const ContactPoints<D>&, const Surface<D>&, std::size_t);                \
+  template void set_axes(ContactPoints<D>&, const Surface<D>&, const Vec<D>&);
 SIGNORINI_INSTANTIATE(2)
 SIGNORINI_INSTANTIATE(3)
 #undef SIGNORINI_INSTANTIATE

@@ -33,14 +33,21 @@ template <int D> struct ContactPoints {
   std::size_t size() const { return list.size(); }
   /// R_A of the slave element's functions at point i, then R_A,1 …
   const double* functions(std::size_t i) const { return values.data() + list[i].values; }
+  /// Components a^α of the direction a^α xˢ_,α at point i, along which e₁ of a frame lies.
+  FaceCoordinates<D> axis(std::size_t i) const { return axes.empty() ? FaceCoordinates<D>::Unit(0) : axes[i]; }
 
   bool revolved;
   int full, sparse;  ///< points per direction of the rules
   bool whole = true; ///< none is outside the region
   std::vector<ContactPoint> list;
   std::vector<double> values;
-  std::vector<Vec<D>> reference; ///< positions in the reference configuration
+  std::vector<Vec<D>> reference;             ///< positions in the reference configuration
+  std::vector<FaceCoordinates<D>> axes = {}; ///< of a law with an axis
 };
+
+/// Sets the axes to the projection of a direction onto the slave face, which is in the reference configuration. Throws
+/// Error where it is normal to the face.
+template <int D> void set_axes(ContactPoints<D>& points, const Surface<D>& slave, const Vec<D>& along);
 
 /// Current position of point i.
 template <int D> Vec<D> position(const ContactPoints<D>& points, const Surface<D>& slave, std::size_t i);

@@ -1,6 +1,6 @@
 #include "contact/point/interface_force.hpp"
 
-#include "contact/law/wear.hpp"
+#include "contact/point/frame.hpp"
 
 namespace signorini::contact {
 
@@ -12,23 +12,17 @@ template <int D, class Visit> void each_range(const Visit& visit) {
   visit.template operator()<LocalForce<D>::master_column, D * D>();
 }
 
-/// The trial friction ε_T (xᵐ(ξ̄) − xᵐ(ξ_sl)) of a point with a slip point (thesis 3.74), both on the current master.
-template <int D> Vec<D> trial_friction(const InterfaceLaw& law, const LocalGeometry<D>& geometry) {
-  return law.tangential * (geometry.master->position - *geometry.slip_point);
-}
-
-template <int D>
-LocalBlock<D> trial_rows(const InterfaceLaw& law, const LocalGeometry<D>& geometry, const LocalShift<D>& shift) {
-  using Force = LocalForce<D>;
-  LocalBlock<D> rows = LocalBlock<D>::Zero();
-  each_range<D>([&]<int From, int Count>() {
-    for (int a = 0; a < D - 1; ++a)
-      rows.template middleCols<Count>(From) +=
-          (law.tangential * geometry.master->tangent[a]) * shift.row(a).template middleCols<Count>(From);
-  });
-  rows.template middleCols<D>(Force::master_column).diagonal().array() += law.tangential;
-  rows.template middleCols<D>(Force::slip_column).diagonal().setConstant(-law.tangential);
-  return rows;
+/// What a law of friction and wear has found at a point, in axes or not.
+template <int D, int N>
+void store(const InterfaceLaw& law, double gap, const Rubbing<N>& rubbing, const Vec<D>& friction,
+           LocalForce<D>& result) {
+  result.state = rubbing.slide.state;
+  result.mu = rubbing.slide.mu;
+  result.flaw = rubbing.slide.flaw;
+  result.worn = rubbing.worn;
+  result.friction = friction;
+  if (result.worn != 0 && !law.pressure) result.potential = energy(law, gap + result.worn, {});
+  result.potential += friction.squaredNorm() / (2 * law.tangential); // |t_T|²/(2 ε_T)
 }
 
 /// Subtracts the friction of a point with a slip point from the derivatives of its traction.
@@ -36,22 +30,41 @@ template <int D>
 void subtract_friction(const InterfaceLaw& law, const Rubbing<D>& rubbing, const LocalGeometry<D>& geometry,
                        const LocalRow<D>& gap, const LocalShift<D>& shift, LocalBlock<D>& traction_rows) {
   using Force = LocalForce<D>;
-  const LocalBlock<D> trial = trial_rows(law, geometry, shift);
+  LocalBlock<D> trial_rows = LocalBlock<D>::Zero();
+  each_range<D>([&]<int From, int Count>() {
+    for (int a = 0; a < D - 1; ++a)
+      trial_rows.template middleCols<Count>(From) +=
+          (law.tangential * geometry.master->tangent[a]) * shift.row(a).template middleCols<Count>(From);
+  });
+  trial_rows.template middleCols<D>(Force::master_column).diagonal().array() += law.tangential;
+  trial_rows.template middleCols<D>(Force::slip_column).diagonal().setConstant(-law.tangential);
+
   const Slide<D>& step = rubbing.slide;
   if (step.state == ContactState::stick) {
-    traction_rows -= trial;
+    traction_rows -= trial_rows;
     return;
   }
   each_range<D>([&]<int From, int Count>() {
     traction_rows.template middleCols<Count>(From) -=
         (step.of_pressure * rubbing.response.rate * step.direction) * gap.template middleCols<Count>(From) +
-        step.of_trial * trial.template middleCols<Count>(From);
+        step.of_trial * trial_rows.template middleCols<Count>(From);
   });
   traction_rows.template middleCols<D>(Force::slip_column) = law.tangential * step.of_trial;
   // δp = … + of_trial·δt* by wear
   if (rubbing.worn != 0)
     traction_rows.noalias() +=
-        (geometry.normal - step.of_pressure * step.direction) * (rubbing.of_trial.transpose() * trial);
+        (geometry.normal - step.of_pressure * step.direction) * (rubbing.of_trial.transpose() * trial_rows);
+}
+
+/// The same of a law with an axis, whose friction is in the plane normal to n̄.
+template <int D>
+void subtract_friction(const PlaneSlide<D>& found, const LocalGeometry<D>& geometry, const GapRows<D>& rows,
+                       const LocalShift<D>& shift, LocalBlock<D>& traction_rows) {
+  const LocalBlock<D> slip = slip_rows(geometry, shift);
+  traction_rows -=
+      (found.rubbing.response.rate * found.of_pressure) * rows.gap + friction_rows(found, geometry, slip, rows);
+  if (found.worn)
+    traction_rows.noalias() += (geometry.normal - found.of_pressure) * pressure_row(found, geometry, slip, rows);
 }
 
 } // namespace
@@ -72,17 +85,19 @@ void interface_force(const InterfaceLaw& law, const LocalGeometry<D>& geometry, 
   // A point with a fixed state may be in tension, where Coulomb's limit does not exist.
   const bool rubs = response.pressure > 0 || geometry.fixed_state == FixedContactState::stick;
   std::optional<Rubbing<D>> rubbing;
+  std::optional<PlaneSlide<D>> in_plane;
   if (slides(law) && geometry.slip_point && rubs) {
-    rubbing =
-        rub<D>(law, response, g, trial_friction(law, geometry), geometry.fixed_state, geometry.tie, geometry.interface);
-    response = rubbing->response;
-    result.state = rubbing->slide.state;
-    result.mu = rubbing->slide.mu;
-    result.flaw = rubbing->slide.flaw;
-    result.worn = rubbing->worn;
-    result.friction = rubbing->slide.friction;
-    if (rubbing->worn != 0 && !law.pressure) result.potential = energy(law, g + rubbing->worn, {});
-    result.potential += result.friction.squaredNorm() / (2 * law.tangential); // |t_T|²/(2 ε_T)
+    const Vec<D> slip = geometry.master->position - *geometry.slip_point; // both on the current master
+    if (law.along) {
+      in_plane = slide_along_axes(law, geometry, slip, response);
+      response = in_plane->rubbing.response;
+      store<D, D - 1>(law, g, in_plane->rubbing, in_plane->friction, result);
+    } else {
+      // Trial t_T = ε_T (xᵐ(ξ̄) − xᵐ(ξ_sl)) (thesis 3.74)
+      rubbing = rub<D>(law, response, g, law.tangential * slip, geometry.fixed_state, geometry.tie, geometry.interface);
+      response = rubbing->response;
+      store<D, D>(law, g, *rubbing, rubbing->slide.friction, result);
+    }
   }
   // δ(p n̄) = p′ δg n̄ + p δn̄
   result.pressure = response.pressure;
@@ -92,6 +107,7 @@ void interface_force(const InterfaceLaw& law, const LocalGeometry<D>& geometry, 
                                                      (response.rate * n) * rows.gap.template middleCols<Count>(From);
   });
   if (rubbing) subtract_friction(law, *rubbing, geometry, rows.gap, result.shift, traction_rows);
+  if (in_plane) subtract_friction(*in_plane, geometry, rows, result.shift, traction_rows);
   const Vec<D> traction = result.pressure * n - result.friction;
 
   LocalRow<D> measure_row;

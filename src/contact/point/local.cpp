@@ -86,6 +86,14 @@ template <int D> GapRows<D> gap_rows(const LocalGeometry<D>& geometry, LocalShif
   return rows;
 }
 
+template <int D> LocalBlock<D> slip_rows(const LocalGeometry<D>& geometry, const LocalShift<D>& shift) {
+  LocalBlock<D> slip = LocalBlock<D>::Zero();
+  slip.template middleCols<D>(LocalForce<D>::master_column).setIdentity();
+  slip.template middleCols<D>(LocalForce<D>::slip_column).diagonal().setConstant(-1);
+  for (int a = 0; a < D - 1; ++a) slip.noalias() += geometry.master->tangent[a] * shift.row(a);
+  return slip;
+}
+
 template <int D>
 void fade_area(const LocalGeometry<D>& geometry, const LocalShift<D>& shift, double& measure, LocalRow<D>& derivative) {
   if (geometry.fade == 1) return;
@@ -100,5 +108,7 @@ template void fade_area<2>(const LocalGeometry<2>&, const LocalShift<2>&, double
 template void fade_area<3>(const LocalGeometry<3>&, const LocalShift<3>&, double&, LocalRow<3>&);
 template GapRows<2> gap_rows<2>(const LocalGeometry<2>&, LocalShift<2>&);
 template GapRows<3> gap_rows<3>(const LocalGeometry<3>&, LocalShift<3>&);
+template LocalBlock<2> slip_rows<2>(const LocalGeometry<2>&, const LocalShift<2>&);
+template LocalBlock<3> slip_rows<3>(const LocalGeometry<3>&, const LocalShift<3>&);
 
 } // namespace signorini::contact

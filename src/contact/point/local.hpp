@@ -19,6 +19,7 @@ template <int D> struct LocalGeometry {
   double offset = 0;        ///< gap at which the surfaces touch
   Vec<D> normal;            ///< n̄, unit, outward from the master
   const Vec<D>* slip_point; ///< xᵐ(ξ_sl) on the current master; null: no friction at this point yet
+  FaceCoordinates<D> axis = FaceCoordinates<D>::Unit(0); ///< see ContactPoints::axis()
   bool revolved = false;    ///< axisymmetric: the first coordinate is the radius, areas are those of the full circle
   double reference_measure; ///< reference area per parametric area
   FixedContactState fixed_state = FixedContactState::free;
@@ -50,6 +51,13 @@ template <int D> struct LocalForce {
   Eigen::Matrix<double, tangents, columns> shift; ///< ∂ξ̄/∂q; zero at a corner; at an edge nonzero only along it
 };
 
+/// a^α xˢ_,α.
+template <int D> Vec<D> direction_of(const FaceCoordinates<D>& axis, const std::array<Vec<D>, D - 1>& tangents) {
+  Vec<D> sum = axis(0) * tangents[0];
+  if constexpr (D == 3) sum += axis(1) * tangents[1];
+  return sum;
+}
+
 /// Derivatives with respect to q: of a scalar, of a vector, of face coordinates.
 template <int D> using LocalRow = Eigen::Matrix<double, 1, LocalForce<D>::columns>;
 template <int D> using LocalBlock = Eigen::Matrix<double, D, LocalForce<D>::columns>;
@@ -61,6 +69,8 @@ template <int D> struct GapRows {
   LocalBlock<D> normal;
 };
 template <int D> GapRows<D> gap_rows(const LocalGeometry<D>& geometry, LocalShift<D>& shift);
+/// Derivative of the slip v = x̄ᵐ − xᵐ(ξ_sl):  δv = δx̄ᵐ + τ_α δξ̄^α − δxᵐ(ξ_sl).
+template <int D> LocalBlock<D> slip_rows(const LocalGeometry<D>& geometry, const LocalShift<D>& shift);
 
 /// Multiplies an area by its effective fraction w [theory 5.10]: m ← w m, δm ← w δm + m w_,α δξ̄^α.
 template <int D>

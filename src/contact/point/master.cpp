@@ -1,5 +1,6 @@
 #include "contact/point/master.hpp"
 
+#include "contact/constants.hpp"
 #include "contact/point/slip.hpp"
 
 #include <algorithm>
@@ -110,6 +111,18 @@ MasterPoint<D> Master<D>::advance(const MasterPoint<D>& slip, const FaceGeometry
     else
       return advance_slip(shape, slip.xi, foot, length);
   });
+}
+
+template <int D>
+MasterPoint<D> Master<D>::along_normal(const Vec<D>& goal, const Vec<D>& normal, Projection<D> closest) const {
+  FaceGeometry<D> found;
+  Vec<D> near = goal;
+  for (int k = 0; k < slip_corrections; ++k) {
+    closest = project(near, closest, found);
+    const Vec<D> error = goal - found.position;
+    near += error - normal.dot(error) * normal;
+  }
+  return closest.point();
 }
 
 template class Master<2>;

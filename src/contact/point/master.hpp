@@ -53,6 +53,8 @@ public:
   void locate(const Projection<D>& projection, FaceGeometry<D>& point) const;
   /// The slip point after a step (slip.hpp); `foot` is the projected point.
   MasterPoint<D> advance(const MasterPoint<D>& slip, const FaceGeometry<D>& foot, double length) const;
+  /// The point on the line through a goal along a normal, searched from a closest point.
+  MasterPoint<D> along_normal(const Vec<D>& goal, const Vec<D>& normal, Projection<D> closest) const;
 
 private:
   void place(FaceGeometry<D>& point) const;

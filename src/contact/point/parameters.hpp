@@ -35,7 +35,8 @@ struct Parameters {
   /// Coulomb's μ and the penalty parameter ε_N (0: none), which warnings and the diagnosis compare with usual values.
   double friction(const Changes& changes) const { return law ? changed(*law, changes).friction : 0; }
   bool slides(const Changes& changes) const { return law && contact::slides(changed(*law, changes)); }
-  bool by_formula() const { return law && (law->coefficient || law->wear); }
+  /// True if the coefficient of friction or the rate of wear differs between points or directions.
+  bool by_formula() const { return law && (law->coefficient || law->wear || law->ellipse); }
   bool rubs() const { return law && may_rub(*law); }
   double penalty(const Changes& changes) const { return law ? changed(*law, changes).normal : 0; }
   /// Both half passes compute the whole energy of the springs and the whole work of friction between the faces: each

@@ -15,6 +15,12 @@ bool find_foot(const Master<D>& master, PointHistory<D>& point, PointResult<D>& 
 }
 
 template <int D>
+Vec<D> contact_normal(const Master<D>& master, const Projection<D>& projection, const FaceGeometry<D>& foot,
+                      const Vec<D>& position) {
+  return projection.foot == Foot::regular ? master.normal(foot) : Vec<D>((position - foot.position) / projection.gap);
+}
+
+template <int D>
 LocalGeometry<D> point_geometry(const ContactPoints<D>& points, std::size_t i, const Faces<D>& faces,
                                 const Vec<D>& position, const Projection<D>& projection, const FacePoint<D>& foot) {
   LocalGeometry<D> geometry;
@@ -24,9 +30,9 @@ LocalGeometry<D> point_geometry(const ContactPoints<D>& points, std::size_t i, c
   geometry.foot = projection.foot;
   geometry.along = projection.along;
   geometry.gap = projection.gap;
-  geometry.normal = projection.foot == Foot::regular ? faces.master.normal(foot)
-                                                     : Vec<D>((position - foot.position) / projection.gap);
+  geometry.normal = contact_normal(faces.master, projection, foot, position);
   geometry.slip_point = nullptr;
+  geometry.axis = points.axis(i);
   geometry.revolved = points.revolved;
   geometry.reference_measure = points.list[i].reference_area;
   geometry.fade = faces.master.fade(projection.xi, geometry.fade_rate);
@@ -57,6 +63,7 @@ template <int D> std::vector<std::array<std::size_t, 2>> pieces(const ContactPoi
 
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \
   template bool find_foot(const Master<D>&, PointHistory<D>&, PointResult<D>&, FacePoint<D>&);                         \
+  template Vec<D> contact_normal(const Master<D>&, const Projection<D>&, const FaceGeometry<D>&, const Vec<D>&);       \
   template LocalGeometry<D> point_geometry(const ContactPoints<D>&, std::size_t, const Faces<D>&, const Vec<D>&,       \
                                            const Projection<D>&, const FacePoint<D>&);                                 \
   template double slave_measure(const ContactPoints<D>&, const Surface<D>&, std::size_t, const Vec<D>&);               \

@@ -14,6 +14,11 @@ template <int D> struct FootPoints { FacePoint<D> foot, slip_point; };
 template <int D>
 bool find_foot(const Master<D>& master, PointHistory<D>& point, PointResult<D>& result, FacePoint<D>& foot);
 
+/// n̄ at the closest point of a position.
+template <int D>
+Vec<D> contact_normal(const Master<D>& master, const Projection<D>& projection, const FaceGeometry<D>& foot,
+                      const Vec<D>& position);
+
 /// The geometry at point i, whose position projects onto `foot`: geometry of order 2; keeps a pointer to it.
 template <int D>
 LocalGeometry<D> point_geometry(const ContactPoints<D>& points, std::size_t i, const Faces<D>& faces,

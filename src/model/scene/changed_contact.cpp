@@ -11,7 +11,7 @@ template <int D> void check_changes(const Contact<D>& contact, const contact::Ch
   require(!contact.method.bond || !(active || offset), "model.contact.cohesive", {{"contact", contact.name}});
   require(!normal || has_penalty(*law), "model.contact.pressure", {{"contact", contact.name}});
   require(!(tangential || friction) || may_rub(*law), "model.contact.no_friction", {{"contact", contact.name}});
-  require(!friction || !law->coefficient, "model.contact.formula", {{"contact", contact.name}});
+  require(!friction || !(law->coefficient || law->ellipse), "model.contact.formula", {{"contact", contact.name}});
   require(overlap == 1 || contact.start.interference, "model.contact.no_interference", {{"contact", contact.name}});
   require(overlap >= 0 && overlap <= 1, "model.contact.overlap", {{"value", overlap}});
   if (law) contact::check(contact::changed(*law, changes));

@@ -203,8 +203,8 @@ check.case("what is refused", function()
   refused(function() return 0.3 end, {}, nil, nil,
     "contacts.floor.friction.mu must return a formula of its arguments, got the number 0.3")
   refused(function() end, {}, nil, nil, "write return before the formula")
-  refused(function(a, b, c, d, e, f, g) return a + b + c + d + e + f + g end, {}, nil, nil,
-    "contacts.floor.friction.mu must take 6 arguments")
+  refused(function(a, b, c, d, e, f, g, h) return a + b + c + d + e + f + g + h end, {}, nil, nil,
+    "contacts.floor.friction.mu must take 7 arguments")
   refused({ static = 0.2, kinetic = 0.3, over = 1 }, {}, nil, nil, "static = 0.2 is less than kinetic = 0.3")
   refused(function(p) return 0.1 + p end, {}, { { steps = 1, contacts = { floor = { friction = { mu = 0 } } } } }, nil,
     "the mu of contacts.floor is a formula")

@@ -45,8 +45,10 @@ stages change.]], "contact", "stage" },
   { "delamination, cohesive, cohesive zone, cohesive element, czm, fracture, crack, adhesive joint", [[Bonds between
 faces break by a cohesive law with the key `cohesive` of a contact; van der Waals forces act with `adhesion`. Cracks
 within a body are not available: make it of two bodies with a bonded contact.]], "contact" },
-  { "static friction, kinetic friction, stribeck, friction coefficient, rate-dependent friction, slip weakening",
-    "mu of `friction` is a number, { static, kinetic, over }, or a function of pressure, slip rate, slip and place.",
+  { "static friction, kinetic friction, stribeck, friction coefficient, rate-dependent friction, slip weakening, "
+    .. "anisotropic friction, orthotropic friction, directional friction",
+    "mu of `friction` is a number, { static, kinetic, over }, { mu1, mu2 } in two directions, or a function of "
+    .. "pressure, slip rate, slip, place and direction.",
     "contact" },
   { "pressure-overclosure, soft contact, exponential contact, asperities, rough surface, winkler",
     "The key `pressure` of a contact is a function of the gap in place of the penalty.", "contact" },
