@@ -72,7 +72,7 @@ auto members(InterfaceLaw& law) {
 }
 
 auto members(Cohesion& law) {
-  auto& [strength, energy, softening, stiffness] = law;
+  auto& [strength, energy, softening, stiffness, formula] = law;
   return std::tie(strength, energy, softening, stiffness);
 }
 
@@ -92,8 +92,8 @@ template <int D> auto members(PointHistory<D>& point) {
 }
 
 template <int D> auto members(PointBond<D>& bond) {
-  auto& [opening, largest, pressure, shear] = bond;
-  return std::tie(opening, largest, pressure, shear);
+  auto& [opening, largest, pressure, shear, left, mix, dissipated, sheared, remaining] = bond;
+  return std::tie(opening, largest, pressure, shear, left, mix, dissipated, sheared, remaining);
 }
 
 template <int D> auto members(MultiplierResult<D>& result) {
@@ -183,6 +183,9 @@ void write(ArchiveWriter& to, const Method& method) {
     to.put(std::isfinite(pressure->clearance), std::isfinite(pressure->clearance) ? pressure->clearance : 0,
            pressure->formula);
   if (coefficient) to.put(coefficient->formula);
+  const CohesionFormula* bond = method.bond ? method.bond->formula.get() : nullptr;
+  to.put(bond != nullptr);
+  if (bond) to.put(bond->shear, bond->formula);
 }
 
 Method read(ArchiveReader& from, std::type_identity<Method>) {
@@ -195,6 +198,10 @@ Method read(ArchiveReader& from, std::type_identity<Method>) {
     method.law.pressure = make_pressure_formula(symbolic::read_formula(from, pressure_variables()), clearance);
   }
   if (rubs) method.law.coefficient = make_friction_formula(symbolic::read_formula(from, friction_variables()));
+  if (from.get<bool>()) {
+    const double shear = from.get<double>();
+    method.bond = cohesive(make_cohesion_formula(symbolic::read_formula(from, cohesion_variables()), shear));
+  }
   return method;
 }
 

@@ -60,12 +60,14 @@ local function law_text(law)
   for _, key in ipairs { "method", "multipliers", "enforcement", "law" } do
     if law[key] then parts[#parts + 1] = ('%s = "%s"'):format(key, law[key]) end
   end
-  for _, key in ipairs { "penalty", "mu", "friction_penalty", "strength", "energy", "stiffness", "hamaker", "r0" } do
+  for _, key in ipairs { "penalty", "mu", "friction_penalty", "strength", "energy", "stiffness", "shear", "hamaker",
+    "r0" } do
     if law[key] then parts[#parts + 1] = ("%s = %.4g"):format(key:gsub("_", "."), law[key]) end
     if key == "penalty" and law.default_penalty then parts[#parts] = parts[#parts] .. " (from material and mesh)" end
   end
   if law.pressure then parts[#parts + 1] = "pressure = " .. law.pressure end
   if law.mu_formula then parts[#parts + 1] = "mu = " .. law.mu_formula end
+  if law.traction then parts[#parts + 1] = "traction = " .. law.traction end
   if law.bonded then parts[#parts + 1] = counted(law.bonded, "bonded point") end
   if law.offset and law.offset ~= 0 then parts[#parts + 1] = ("offset = %.4g"):format(law.offset) end
   if law.overlap then
