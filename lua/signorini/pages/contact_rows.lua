@@ -66,8 +66,8 @@ local function conflict_of_law(values, given)
     return 'it has law = "bilinear" without stiffness, which a law of the mode mix needs: give it'
   end
   if type(values.strength) == "function" and values.law == "exponential" then
-    return 'it has a function as strength and law = "exponential", whose strength at m follows from strength^2 / energy '
-      .. 'at m = 0: give a number, or write law = "bilinear"'
+    return 'it has a function as strength and law = "exponential", whose strength at m follows from that at m = 0: '
+      .. 'give a number, or write law = "bilinear"'
   end
   if values.stiffness and values.law == "exponential" then
     return 'it has stiffness and law = "exponential", whose stiffness e^2 strength^2 / energy follows from the other '
@@ -94,8 +94,8 @@ u = 2 G/strength]], default = "exponential" },
     { "traction", t.callback, [[function(u, m) (or function(u)) that returns a formula, in place of strength, energy and
 law: the traction on first opening, with T = 0 at u = 0, the same finite slope there for all m, T / u falling, and a
 finite area below it, the energy of separation]], unit = "force per area", optional = true },
-    { "shear", t.positive, [[weight b of shear: the opening is u with u^2 = opening^2 + b^2 shear^2, so that tractions in
-pure shear are b times as large, the energy of separation is the same]], default = 1 },
+    { "shear", t.positive, [[weight b of shear: u^2 = opening^2 + b^2 shear^2, so that tractions in pure shear are b
+times as large; energies of separation stay the same]], default = 1 },
     { "where", region, [[function(X) that returns true where the faces are bonded, to leave out an initial crack;
 elsewhere only contact acts. Points farther from the master than 0.001 of the opening at the largest traction are not
 bonded; print(model) shows how many are]], otherwise = "everywhere" },

@@ -94,9 +94,9 @@ where the penalty is from material and mesh. With friction also mu, friction_pen
 its text, and of_rate, whether it depends on v, in place of mu; with a formula of the pressure pressure, its text, and
 clearance, in place of penalty; with overlap = "interference" overlap, the fraction of the initial overlap that is
 still allowed; with method = "mortar" multipliers; of a cohesive contact strength, energy, law, stiffness, and bonded,
-the number of points with a bond, of one by formula (also of m, and with shear) traction, its text, stiffness, shear,
-strength and energy in opening, shear_strength and shear_energy; with adhesion { method, per, points, active, hamaker, r0 }. print(model) shows
-them.]],
+the number of points with a bond; of one by formula (also of m, and with shear) not law but traction, its text,
+stiffness, shear, strength and energy in opening, shear_strength and shear_energy; with adhesion { method, per, points,
+active, hamaker, r0 }. print(model) shows them.]],
     arguments = { a_contact },
     returns = t.record("method per", t.text, "enforcement? multipliers? law? mu_formula? pressure?", t.text,
       "traction?", t.text, "points bonded?", t.count,
