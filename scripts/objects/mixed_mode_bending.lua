@@ -21,7 +21,7 @@ local sg = require "signorini"
 local options = sg.arguments{ elements = { 64, at_least = 8 },
                               ratios = { { -1, -0.4, 0, 0.4, 1 }, at_least = -1, at_most = 1 },
                               law = { "exponential", choices = { "exponential", "bilinear" } },
-                              strength = { 20, above = 0 }, shear = { 2, above = 0 }, penalty = { 1e5, above = 0 },
+                              strength = { 20, above = 0 }, shear = { 2.0, above = 0 }, penalty = { 1e5, above = 0 },
                               steps = { 60, at_least = 8 }, out = "out/mixed_mode_bending" }
 local files = sg.files(options.out)
 local E, nu, h, length, crack, G1, G2 = 70000, 0.3, 2, 48, 8, 0.3, 0.9
