@@ -117,7 +117,7 @@ TEST(CohesionFormula, SeparationTakesTheEnergyOfTheMixture) {
 TEST(CohesionFormula, RandomPathsDissipate) {
   Random random(7);
   for (const Formula formula : {&smooth, &linear})
-    for (int path = 0; path < 30; ++path) {
+    for (int path = 0; path < 12; ++path) {
       const double b = uniform(random, 0.6, 1.8);
       const Cohesion cohesion = law(formula, b);
       const double peak = strongest_opening(cohesion);

@@ -143,7 +143,8 @@ void CohesiveContact<D>::dissipate(PointResult<D>& result, PointBond<D>& bond, c
   if (bond.left >= before.left) return;
   const double weight = before.left < 1 ? before.largest / (before.largest + bond.opening) : 0;
   const double mix = weight * before.mix + (1 - weight) * bond.mix;
-  const CohesionFormula::Loss loss = bonds_.law.formula->loss(before.left, bond.left, mix);
+  const CohesionFormula::Loss loss =
+      bonds_.law.formula->loss(before.left, bond.left, mix, before.largest, bond.opening);
   bond.dissipated += loss.dissipated;
   bond.sheared += mix * loss.dissipated;
   bond.remaining *= loss.remaining;

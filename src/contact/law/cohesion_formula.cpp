@@ -11,7 +11,8 @@ namespace signorini::contact {
 
 namespace {
 
-constexpr int sampled_openings = 200, sampled_mixtures = 20, bisections = 60, most_halvings = 1000;
+constexpr int sampled_openings = 200, sampled_mixtures = 20, bisections = 60, most_halvings = 1000,
+              most_newton_steps = 8;
 /// Rounding error of a formula, relative to its largest value.
 constexpr double cohesion_rounding = 1e-9;
 /// Opening, relative to the length of a law, below which its secant follows from slopes.
@@ -19,6 +20,8 @@ constexpr double small_opening = 1e-3;
 /// Error of an energy per area, relative to the stiffness times the square of the length.
 constexpr double integral_tolerance = 1e-14;
 constexpr double far_opening = 1e8, least_fall = 1e-6, nearly_infinite = 1e-12;
+/// Rounding error of a fraction that is left, relative to it.
+constexpr double root_rounding = 1e-15;
 /// Damage that is rounding error.
 constexpr double least_damage = 1e-12;
 
@@ -52,10 +55,16 @@ template <class Function> double integrate(const Function& f, double a, double b
   return integrate(f, a, middle, tolerance, depth - 1) + integrate(f, middle, b, tolerance, depth - 1);
 }
 
-/// The opening at which the fraction that is left falls to a value: doubled and halved from `start`, then bisected.
-double opening_at(const CohesionFormula& law, double left, double mix, double start) {
+/// The opening at which the fraction that is left falls to a value: by Newton's method from a guess or, where that does
+/// not end, doubled and halved from the law's length, then bisected.
+double opening_at(const CohesionFormula& law, double left, double mix, double guess, double length) {
+  for (int k = 0; k < most_newton_steps && guess > 0 && std::isfinite(guess); ++k) {
+    const CohesionFormula::Left now = law.left(guess, mix);
+    if (std::abs(now.value - left) <= root_rounding * left) return guess;
+    guess -= (now.value - left) / now.of_opening;
+  }
   const auto above = [&](double opening) { return law.left(opening, mix).value > left; };
-  double high = start;
+  double high = length;
   for (int k = 0; k < most_halvings && above(high); ++k) high *= 2;
   double low = high;
   for (int k = 0; k < most_halvings && !above(low); ++k) high = std::exchange(low, 0.5 * low);
@@ -133,10 +142,11 @@ double CohesionFormula::rest(double opening, double mix) const {
   return sum;
 }
 
-CohesionFormula::Loss CohesionFormula::loss(double before, double after, double mix) const {
-  const double first = before < 1 ? opening_at(*this, before, mix, length) : 0;
+CohesionFormula::Loss CohesionFormula::loss(double before, double after, double mix, double near_first,
+                                            double near_last) const {
+  const double first = before < 1 ? opening_at(*this, before, mix, near_first, length) : 0;
   if (after == 0) return {rest(first, mix), 0};
-  const double last = opening_at(*this, after, mix, length);
+  const double last = opening_at(*this, after, mix, near_last, length);
   // ∫ T du − ½ Δ(T u)
   const auto f = [&](double opening) { return traction(opening, mix); };
   const double dissipated =
@@ -171,7 +181,7 @@ std::shared_ptr<const CohesionFormula> make_cohesion_formula(symbolic::Formula f
   made->stiffness = values(made->tape, 0, 0)[1];
   require(std::isfinite(made->stiffness) && made->stiffness > 0, "contact.cohesion.slope",
           {{"mix", 0.0}, {"value", made->stiffness}, {"first", made->stiffness}});
-  made->length = opening_at(*made, 0.5, 0, 1);
+  made->length = opening_at(*made, 0.5, 0, 0, 1);
   for (int k = 0; k <= (made->mixed ? sampled_mixtures : 0); ++k)
     check_at(*made, static_cast<double>(k) / sampled_mixtures);
   return made;

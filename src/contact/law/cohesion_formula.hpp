@@ -26,11 +26,13 @@ struct CohesionFormula {
     double value, of_opening, of_mix;
   };
   Left left(double opening, double mix) const;
-  /// What a loss of stiffness dissipates per area at a mixture, and the part that is left of the energy of separation.
+  /// What a loss of stiffness, from one fraction to another, dissipates per area at a mixture, and the part that is
+  /// left of the energy of separation.
   struct Loss {
     double dissipated, remaining;
   };
-  Loss loss(double before, double after, double mix) const;
+  /// `near`: guesses of the openings at which first opening leaves as much.
+  Loss loss(double before, double after, double mix, double near_first = 0, double near_last = 0) const;
 
   double traction(double opening, double mix) const;
   /// ∫_u^∞ T du + ½ T u: the energy per area that complete separation still dissipates.
