@@ -14,8 +14,10 @@ template <int D> std::vector<int> signature(const Pair<D>& pair) {
   for (const auto& point : pair.results()) result.insert(result.end(), {static_cast<int>(point.state), point.beyond});
   for (const auto& point : pair.present().points)
     result.insert(result.end(), {static_cast<int>(point.projection.foot), point.projection.element});
-  for (std::size_t i = 0; i < pair.present().bonds.size(); ++i)
-    result.push_back(pair.present().bonds[i].largest > pair.history().bonds[i].largest);
+  for (std::size_t i = 0; i < pair.present().bonds.size(); ++i) {
+    const auto &bond = pair.present().bonds[i], &before = pair.history().bonds[i];
+    result.insert(result.end(), {bond.largest > before.largest, bond.left < before.left, bond.left == 0});
+  }
   for (const auto& multiplier : pair.multipliers()) result.push_back(static_cast<int>(multiplier.state));
   for (const Block& block : pair.blocks())
     result.insert(result.end(), {block.slave_element, block.master_element, block.slip_element});

@@ -66,7 +66,26 @@ rows.change.hints = {
   slave = "a path cannot change it: give it in sg.model", master = "a path cannot change it: give it in sg.model",
 }
 
-local function conflict_of_law(values)
+local function conflict_of_law(values, given)
+  if values.traction then
+    for _, other in ipairs { "strength", "energy", "stiffness", "law" } do
+      if given[other] then
+        return ("it has both traction and %s, but the formula is the whole law: remove one of the two"):format(other)
+      end
+    end
+    return nil
+  end
+  for _, needed in ipairs { "strength", "energy" } do
+    if not values[needed] then return ("it needs %s: strength and energy, or traction as a formula"):format(needed) end
+  end
+  local mixed = type(values.energy) == "function" or type(values.strength) == "function" or values.shear ~= 1
+  if mixed and values.law == "bilinear" and not values.stiffness then
+    return 'it has law = "bilinear" without stiffness, which a law of the mode mix needs: give it'
+  end
+  if type(values.strength) == "function" and values.law == "exponential" then
+    return 'it has a function as strength and law = "exponential", whose strength at m follows from that at m = 0: '
+      .. 'give a number, or write law = "bilinear"'
+  end
   if values.stiffness and values.law == "exponential" then
     return 'it has stiffness and law = "exponential", whose stiffness e^2 strength^2 / energy follows from the other '
       .. 'constants: remove stiffness, or write law = "bilinear"'
@@ -76,15 +95,24 @@ end
 --- The bonds of a cohesive contact; `region`: the type of a function of the position.
 function rows.cohesive(region)
   return {
-    { "strength", t.positive, "largest traction", unit = "force per area" },
-    { "energy", t.positive, [[energy of separation per area, G, for any mixture of opening and shear. The zone in which
+    { "strength", t.either(t.positive, t.callback), [[largest traction; of a bilinear law also function(m) that returns
+a formula, as energy]], unit = "force per area", optional = true },
+    { "energy", t.either(t.positive, t.callback), [[energy of separation per area, G: for any mixture of opening and
+shear, or function(m) that returns a formula, help "formulas", of the share m of shear in the work, 0 in opening, 1 in
+shear, as in function(m) return G1 + (G2 - G1) * m ^ 2 end (Benzeggagh and Kenane). The zone in which
 bonds open has a length of about E G / strength^2, less in thin bodies; its elements should be a third of it]],
-      unit = "energy per area" },
+      unit = "energy per area", optional = true },
     { "law", t.choice { "exponential", "bilinear" }, [[traction T over the opening u. exponential: T = e strength (u/c)
-exp(-u/c) with c = G/(e strength). bilinear: T = stiffness u up to the strength, then linear to zero at
+exp(-u/c) with c = G/(e strength), where G is a function of m with the stiffness of m = 0, so that the strength is
+proportional to sqrt(G). bilinear: T = stiffness u up to the strength, then linear to zero at
 u = 2 G/strength]], default = "exponential" },
     { "stiffness", t.positive, "initial stiffness of a bilinear law, above strength^2/(2 G)",
-      unit = "pressure per length", otherwise = "the contact's penalty" },
+      unit = "pressure per length", otherwise = "the contact's penalty; needed with functions of m or shear" },
+    { "traction", t.callback, [[function(u, m) (or function(u)) that returns a formula, in place of strength, energy and
+law: the traction on first opening, with T = 0 at u = 0, the same finite slope there for all m, T / u falling, and a
+finite area below it, the energy of separation]], unit = "force per area", optional = true },
+    { "shear", t.positive, [[weight b of shear: u^2 = opening^2 + b^2 shear^2, so that tractions in pure shear are b
+times as large; energies of separation stay the same]], default = 1 },
     { "where", region, [[function(X) that returns true where the faces are bonded, to leave out an initial crack;
 elsewhere only contact acts. Points farther from the master than 0.001 of the opening at the largest traction are not
 bonded; print(model) shows how many are]], otherwise = "everywhere" },

@@ -47,17 +47,18 @@ the contact area, see model:contact_resultant, otherwise 0), pressure, traction 
 point to foot point, which is tangential on a straight master; in the plane positive along the slave face's xi; on the
 slave it acts in the opposite direction), gap (beyond an open end of the master the distance), state ("open", "stick",
 also of a closed point without friction, "slip", "adhesion", "bonded": not closed, held by a bond). At a slipping point
-|traction| = mu pressure (mortar: at each multiplier). A cohesive contact also has damage, from 0 to 1 (no bond); its
-pressure, negative in tension, and traction include those of the bonds. Pressure and traction are forces per current
-area, whatever `per` of the contact is; with method = "mortar" `area`, pressure and traction refer to the reference
-area. With friction also mu, the coefficient with which a touching point slips or, of a formula, would begin to
-(orthotropic: friction along the slip over pressure), and slip, since the touch, without the elastic slip of the
-penalty; with method = "mortar" and a penalty both are interpolated between multipliers, as is the pressure. With wear
-worn, its depth. In 3D also z, Z, and tx, ty, tz, the components of the friction traction t_T, whose magnitude is
-`traction`; -t_T acts on the slave. Reading any other field is an error.]],
+|traction| = mu pressure (mortar: at each multiplier). A cohesive contact also has damage, from 0 to 1 (no bond), and
+with a formula mix, the share of shear in the energy that a bond has dissipated (0 where it is whole); its pressure,
+negative in tension, and traction include those of the bonds. Pressure and traction are forces per current area,
+whatever `per` of the contact is; with method = "mortar" `area`, pressure and traction refer to the reference area. With
+friction also mu, the coefficient with which a touching point slips or, of a formula, would begin to (orthotropic:
+friction along the slip over pressure), and slip, since the touch, without the elastic slip of the penalty; with method
+= "mortar" and a penalty both are interpolated between multipliers, as is the pressure. With wear worn, its depth. In 3D
+also z, Z, and tx, ty, tz, the components of the friction traction t_T, whose magnitude is `traction`; -t_T acts on the
+slave. Reading any other field is an error.]],
     arguments = { a_contact },
     returns = t.record("x y X Y area inside pressure traction gap", t.numbers(), "state", t.list(t.text),
-      "z? Z? tx? ty? tz?", t.numbers(), "damage? mu? slip? worn?", t.numbers()),
+      "z? Z? tx? ty? tz?", t.numbers(), "damage? mix? mu? slip? worn?", t.numbers()),
     example = "model:profile(\"interface\").pressure" },
   { "model:sample", "Returns a field's value at a parametric point of a body.",
     arguments = {
@@ -97,13 +98,15 @@ its text, in place of mu, or mu1 and mu2; along, if it depends on the direction;
 "friction.mu" or "wear.rate", if that depends on v; with a formula of the pressure pressure, its text, and clearance, in
 place of penalty; with overlap = "interference" overlap, the fraction of the initial overlap that is still allowed; with
 method = "mortar" multipliers; of a cohesive contact strength, energy, law, stiffness, and bonded, the number of points
-with a bond; with adhesion { method, per, points, active, hamaker, r0 }. print(model) shows them.]],
+with a bond; of one by formula (also of m, and with shear) not law but traction, its text, stiffness, shear, strength
+and energy in opening, shear_strength and shear_energy; with adhesion { method, per, points, active, hamaker, r0 }.
+print(model) shows them.]],
     arguments = { a_contact },
     returns = t.record("method per", t.text, "enforcement? multipliers? law?", t.text,
-      "mu_formula? pressure? wear_rate? of_rate?", t.text,
-      "points bonded?", t.count,
+      "mu_formula? pressure? wear_rate? of_rate? traction?", t.text, "points bonded?", t.count,
       "penalty? mu? mu1? mu2? friction_penalty? hamaker? r0? strength? energy? stiffness? offset? overlap? clearance?",
-      t.number, "active default_penalty?", t.flag, "along?", t.point),
+      t.number, "shear? shear_strength? shear_energy?", t.number, "active default_penalty?", t.flag, "along?",
+      t.point),
     example = "model:contact_law(\"interface\").penalty" },
   { "model:contact_resultant", [[Returns { fx, fy, fz, area, max_pressure, mean_pressure, max_penetration, active,
 slipping, per, unsettled, crossed }: the force on the slave (fz in 3D); the current area in contact (with method =

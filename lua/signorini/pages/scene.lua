@@ -83,7 +83,8 @@ points and for half passes. In 2D it saves little, because contact takes a small
     otherwise = "3 (p + 1), p the degree along the slave face, that of its layer if it has one, in 3D the higher one" },
   { "wear", t.named(rows.wear), [[the slave's points wear by rate p |slip| as they slide (Archard), and touch at a gap
 that is less by this depth: the depth of both faces together. Geometry and stiffness do not change, so that the depth
-must be below 1/20 of the master's radius of curvature and 1/10 of the body. Without friction points slide with mu = 0]],
+must be below 1/20 of the master's radius of curvature and 1/10 of the body. Without friction points slide with
+mu = 0]],
     otherwise = "none" },
   { "adhesion", t.named {
     { "hamaker", t.positive, "Hamaker's constant", unit = "force times length" },

@@ -156,8 +156,8 @@ end
 
 local flaws = {
   jumps = "friction jumps where a point begins to slip, since mu falls faster with the slip of a step than the "
-    .. "tangential penalty can follow: results depend on the steps. Hint: raise friction.penalty, or let mu fall over a "
-    .. "longer slip",
+    .. "tangential penalty can follow: results depend on the steps. Hint: raise friction.penalty, or let mu fall over "
+    .. "a longer slip",
   negative = "the formula of mu is negative, which counts as 0. Hint: cut it off with sg.max(0, …)",
   ["negative wear"] = "the formula of wear.rate is negative, which counts as 0. Hint: cut it off with sg.max(0, …)",
 }

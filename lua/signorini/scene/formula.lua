@@ -104,4 +104,47 @@ function formula.pressure(name, f)
   return formula_of("sg.model", name, f, symbols)
 end
 
+--- A constant of bonds that may be a function of the mode mix: its formula, and its values at m = 0, 0.1, … 1.
+local function by_mix(name, value, mix)
+  if type(value) == "number" then return value, function() return value end end
+  check_parameters("sg.model", name, value, { mix }, false, "write function(m)")
+  local made = formula_of("sg.model", name, value, { mix })
+  for k = 0, 10 do
+    local m = k / 10
+    local at = value(m)
+    if not (at > 0 and at < math.huge) then
+      core.fail(("sg.model: %s must be positive, but is %g at m = %g"):format(name, at, m))
+    end
+  end
+  return made, value
+end
+
+--- The formula of the traction of bonds: of a function, or of strength and energy as functions of the mode mix.
+function formula.cohesion(name, bond)
+  local sg, u, m = core.sg, table.unpack(core.symbols { "u", "m" })
+  if bond.traction then
+    local where = name .. ".traction"
+    check_parameters("sg.model", where, bond.traction, { u, m }, true, "write function(u) or function(u, m)")
+    return formula_of("sg.model", where, bond.traction, { u, m })
+  end
+  local energy, energy_at = by_mix(name .. ".energy", bond.energy, m)
+  local strength, strength_at = by_mix(name .. ".strength", bond.strength, m)
+  if bond.law == "exponential" then
+    -- T = K u exp(−u/c),  K = e² σ_c²/G_c(0),  G_c(m) = K c²
+    local stiffness = math.exp(2) * bond.strength ^ 2 / energy_at(0)
+    return stiffness * u * sg.exp(-u * sg.sqrt(stiffness / energy))
+  end
+  local stiffness = bond.stiffness
+  for k = 0, 10 do
+    local least = strength_at(k / 10) ^ 2 / (2 * energy_at(k / 10))
+    if stiffness <= least then
+      core.fail(("sg.model: %s.stiffness must be above strength^2 / (2 energy) = %.6g at m = %g, got %g. Hint: raise "
+        .. "stiffness or energy, or lower strength"):format(name, least, k / 10, stiffness))
+    end
+  end
+  -- T = min(K u, σ_c (δ_f − u)/(δ_f − δ₀)),  δ₀ = σ_c/K,  δ_f = 2 G_c/σ_c
+  local last = 2 * energy / strength
+  return sg.min(stiffness * u, sg.max(0, strength * (last - u) / (last - strength / stiffness)))
+end
+
 return formula

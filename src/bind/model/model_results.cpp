@@ -70,9 +70,14 @@ template <int D> int contact_law(const model::Model<D>& model, const std::string
   push_fields(L, "points", named.points, "per", area_name(named), "active",
               formulation.parameters().active(history.changes));
   if (named.method.bond) {
-    const auto& [strength, energy, softening, stiffness] = *named.method.bond;
+    const auto& [strength, energy, softening, stiffness, formula] = *named.method.bond;
     const bool bilinear = softening == contact::Softening::bilinear;
-    set_fields(L, "strength", strength, "energy", energy, "law", bilinear ? "bilinear" : "exponential");
+    set_fields(L, "strength", strength, "energy", energy);
+    if (formula)
+      set_fields(L, "traction", contact::text_of(*formula), "stiffness", formula->stiffness, "shear", formula->shear,
+                 "shear_strength", formula->shear * formula->peak(1).traction, "shear_energy", formula->rest(0, 1));
+    else
+      set_field(L, "law", bilinear ? "bilinear" : "exponential");
     if (bilinear) set_field(L, "stiffness", stiffness);
     const auto bonded = std::ranges::count_if(formulation.bonds()->closest,
                                               [&](const auto& bond) { return bond.foot != contact::Foot::none; });
@@ -124,7 +129,9 @@ template <int D> int contact_resultant(const model::Model<D>& model, const std::
   if (may_rub(named.method.law))
     set_field(L, "slip", contact::mean_slip(*model.system.contacts[contact], model.present.contacts[contact]));
   if (named.method.bond)
-    set_field(L, "debonded", model.present.contacts[contact].debonding / named.method.bond->energy);
+    set_field(L, "debonded",
+              model.system.contacts[contact]->bonds()->debonded(model.system.contacts[contact]->points(),
+                                                                model.present.contacts[contact]));
   if (named.method.law.wear) set_field(L, "worn_volume", model.present.contacts[contact].worn_volume);
   const auto& multipliers = model.present.contacts[contact].multiplier_results;
   double weighted = 0;
@@ -154,6 +161,7 @@ template <int D> int profile(const model::Model<D>& model, const std::string& na
   push_fields(L, "x", all.x, "y", all.y, "X", all.reference_x, "Y", all.reference_y, "area", all.area, "pressure",
               all.pressure, "traction", all.traction, "gap", all.gap, "inside", all.inside, "state", all.state);
   if (!all.damage.empty()) set_field(L, "damage", all.damage);
+  if (!all.mix.empty()) set_field(L, "mix", all.mix);
   if (!all.mu.empty()) set_fields(L, "mu", all.mu, "slip", all.slip);
   if (!all.worn.empty()) set_field(L, "worn", all.worn);
   if (D == 3)

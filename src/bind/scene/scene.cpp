@@ -48,13 +48,6 @@ contact::MultiplierSpace read_multipliers(const Arguments& a) {
   return choice<contact::MultiplierSpace>(a.get<std::string>("multipliers"), {"equal", "reduced", "linear"});
 }
 
-contact::Cohesion read_cohesion(const Arguments& a, double penalty) {
-  contact::Cohesion cohesion{a.get<double>("strength"), a.get<double>("energy")};
-  cohesion.softening = choice<contact::Softening>(a.get<std::string>("law"), {"exponential", "bilinear"});
-  if (cohesion.softening == contact::Softening::bilinear) cohesion.stiffness = a.get("stiffness", penalty);
-  return cohesion;
-}
-
 /// A formula that a function of signorini.scene.formula makes of an argument.
 const Symbol& read_formula(const Arguments& a, const char* key, const char* maker) {
   lua_State* L = a.state();
@@ -66,6 +59,19 @@ const Symbol& read_formula(const Arguments& a, const char* key, const char* make
   a.push(key);
   lua_call(L, 2, 1);
   return read_object<Symbol>(L, -1, {"a formula"});
+}
+
+contact::Cohesion read_cohesion(const Arguments& contact, double penalty) {
+  const Arguments a = contact.table("cohesive");
+  const double shear = a.get<double>("shear");
+  if (a.has("traction") || a.is("energy", LUA_TFUNCTION) || a.is("strength", LUA_TFUNCTION) || shear != 1) {
+    const Symbol& traction = read_formula(contact, "cohesive", "cohesion");
+    return contact::cohesive(contact::make_cohesion_formula({*traction.graph, traction.node}, shear));
+  }
+  contact::Cohesion cohesion{a.get<double>("strength"), a.get<double>("energy")};
+  cohesion.softening = choice<contact::Softening>(a.get<std::string>("law"), {"exponential", "bilinear"});
+  if (cohesion.softening == contact::Softening::bilinear) cohesion.stiffness = a.get("stiffness", penalty);
+  return cohesion;
 }
 
 /// μ: a number, two in the directions of an axis, or a formula.
@@ -127,7 +133,7 @@ contact::Method read_method(const Arguments& a, int dimension) {
   law.enforcement = choice<contact::Enforcement>(a.get<std::string>("enforcement"), {"penalty", "multipliers"});
   if (a.has("cohesive")) {
     law.per = contact::TractionArea::reference;
-    return {law, {}, contact::Pass::full, read_cohesion(a.table("cohesive"), law.normal)};
+    return {law, {}, contact::Pass::full, read_cohesion(a, law.normal)};
   }
   enum class Points { gauss, half_passes, mortar };
   const auto points = choice<Points>(a.get<std::string>("method"), {"gpts", "half_passes", "mortar"});

@@ -58,17 +58,23 @@ void CohesiveContact<D>::evaluate_point(std::size_t i, const Trial<D>& trial, Su
   faces_.master.locate(bonds_.closest[i], bonded);
   faces_.master.functions(bonded, 1);
   Bond<D> bond{Vec<D>(trial.present.results[i].position - bonded.position)};
-  bond.largest = trial.accepted.bonds[i].largest;
+  const PointBond<D>& accepted = trial.accepted.bonds[i];
+  const double weight = shear_weight(bonds_.law);
+  bond.weight = weight * weight;
   const InterfaceLaw law = parameters_.law_in(trial.present.changes, trial.penalty_factor);
   if (!fixed) {
-    const Separation separation = separate(bonds_.law, bond.opening(), bond.largest);
+    if (tells_shear(bonds_.law)) {
+      bond.split = &bonded;
+      bond.normal = faces_.master.normal(bonded);
+    }
+    const Separation separation = separate(bonds_.law, bond.opening(), accepted.largest, bond.mix(), accepted.left);
     return record_bond(i, trial, bond, separation, bonded, part);
   }
   const LocalGeometry<D> geometry = this->closed_geometry(i, trial, law, *fixed, feet);
   bond.closed = true;
   bond.gap = geometry.gap;
   bond.normal = geometry.normal;
-  const Separation separation = separate(bonds_.law, bond.opening(), bond.largest);
+  const Separation separation = separate(bonds_.law, bond.opening(), accepted.largest, bond.mix(), accepted.left);
 
   LocalForce<D> force, relief;
   interface_force(law, geometry, force);
@@ -94,7 +100,14 @@ void CohesiveContact<D>::record_bond(std::size_t i, const Trial<D>& trial, const
                                      const Separation& separation, const FacePoint<D>& bonded, SumPart<D>& part,
                                      const FacePoint<D>* foot) const {
   PointBond<D>& own = trial.present.bonds[i];
-  own = {bond.opening(), std::max(bond.opening(), bond.largest)};
+  const PointBond<D>& accepted = trial.accepted.bonds[i];
+  own = accepted;
+  own.opening = bond.opening();
+  own.largest = std::max(own.opening, accepted.largest);
+  own.pressure = 0;
+  own.shear.setZero();
+  own.left = separation.left;
+  if (own.left < accepted.left) own.mix = bond.mix();
   if (separation.stiffness == 0) return;
 
   PointResult<D>& result = trial.present.results[i];
@@ -105,8 +118,8 @@ void CohesiveContact<D>::record_bond(std::size_t i, const Trial<D>& trial, const
 
   const double stretch = slave_measure(points_, faces_.slave, i, result.position) / point.reference_area;
   const Vec<D> normal = foot ? bond.normal : faces_.master.normal(bonded);
-  // The traction of the spring and, at a closed point, of its relief: −k (Δ − g n̄)
-  const Vec<D> traction = -separation.stiffness * (bond.apart - bond.gap * bond.normal) / stretch;
+  // The traction of the spring and, at a closed point, of its relief: −k (v − b² g n̄)
+  const Vec<D> traction = -separation.stiffness * (bond.pull() - bond.weight * bond.gap * bond.normal) / stretch;
   own.pressure = normal.dot(traction);
   own.shear = own.pressure * normal - traction;
   result.pressure += own.pressure;
@@ -119,12 +132,31 @@ void CohesiveContact<D>::record_bond(std::size_t i, const Trial<D>& trial, const
   for (int k = 0; k < D - 1; ++k) result.tangents.col(k) = slave_tangents[k];
   if (foot) return;
   result.gap = normal.dot(bond.apart);
-  if (separation.dissipated < broken_energy * bonds_.law.energy) result.state = ContactState::bonded;
+  const bool broken = bonds_.law.formula ? own.remaining <= 1 - broken_energy
+                                         : separation.dissipated >= broken_energy * bonds_.law.energy;
+  if (!broken) result.state = ContactState::bonded;
+}
+
+/// Books the energy that the bond of a point has lost in an accepted step, at the mean of its two mode mixes, weighted
+/// by the openings.
+template <int D>
+void CohesiveContact<D>::dissipate(PointResult<D>& result, PointBond<D>& bond, const PointBond<D>& before) const {
+  if (bond.left >= before.left) return;
+  const double weight = before.left < 1 ? before.largest / (before.largest + bond.opening) : 0;
+  const double mix = weight * before.mix + (1 - weight) * bond.mix;
+  const CohesionFormula::Loss loss =
+      bonds_.law.formula->loss(before.left, bond.left, mix, before.largest, bond.opening);
+  bond.dissipated += loss.dissipated;
+  bond.sheared += mix * loss.dissipated;
+  bond.remaining *= loss.remaining;
+  if (bond.remaining <= 1 - broken_energy && result.state == ContactState::bonded) result.state = ContactState::open;
 }
 
 template <int D>
 void CohesiveContact<D>::commit(History<D>& present, const History<D>& accepted, double penalty_factor) {
   present.debonding = 0;
+  for (std::size_t i = 0; i < points_.size() && bonds_.law.formula; ++i)
+    dissipate(present.results[i], present.bonds[i], accepted.bonds[i]);
   for (std::size_t i = 0; i < points_.size(); ++i)
     present.debonding += reference_area(points_.list[i]) * bonds_.separation(present, i).dissipated;
   GaussPointContact<D>::commit(present, accepted, penalty_factor);

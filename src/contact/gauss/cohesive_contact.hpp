@@ -14,6 +14,8 @@ public:
   CohesiveContact(const ContactSetting<D>& setting, const InterfaceLaw& law, const Cohesion& cohesion);
 
   const Bonds<D>* bonds() const override { return &bonds_; }
+  /// A damage that depends on the mode mix, or shear of another weight, has no energy of its own.
+  bool has_potential() const override { return !tells_shear(bonds_.law) && GaussPointContact<D>::has_potential(); }
   void commit(History<D>& present, const History<D>& accepted, double penalty_factor) override;
   double stiffness(const History<D>& history, double penalty_factor) const override;
 
@@ -25,6 +27,7 @@ private:
   double pressure_of(const History<D>& history, std::size_t i) const override;
   void record_bond(std::size_t i, const Trial<D>& trial, const Bond<D>& bond, const Separation& separation,
                    const FacePoint<D>& bonded, SumPart<D>& part, const FacePoint<D>* foot = nullptr) const;
+  void dissipate(PointResult<D>& result, PointBond<D>& bond, const PointBond<D>& before) const;
 
   Bonds<D> bonds_;
 };

@@ -33,7 +33,25 @@ Separation separate_linearly(const Cohesion& law, double opening, double largest
           0.5 * (law.strength * most - traction * first)};
 }
 
+Separation separate_by_formula(const Cohesion& law, double opening, double mix, double left) {
+  const CohesionFormula::Left now = law.formula->left(opening, mix);
+  const double stiffness = law.formula->stiffness;
+  // k = (1 − d) K,  1 − d = min(1 − d₀, T/(K u)),  d₀ the damage so far
+  if (now.value > left) return {left * stiffness, 0, 1 - left, 0, 0, 0, left};
+  return {now.value * stiffness,
+          now.of_opening * stiffness,
+          1 - now.value,
+          -now.of_opening,
+          0,
+          now.of_mix * stiffness,
+          now.value};
+}
+
 } // namespace
+
+Cohesion cohesive(std::shared_ptr<const CohesionFormula> formula) {
+  return {formula->peak(0).traction, formula->rest(0, 0), Softening::exponential, 0, formula};
+}
 
 void check(const Cohesion& law) {
   require(std::isfinite(law.strength) && law.strength > 0, "contact.cohesion.strength", {{"value", law.strength}});
@@ -46,11 +64,13 @@ void check(const Cohesion& law) {
 }
 
 double strongest_opening(const Cohesion& law) {
+  if (law.formula) return law.formula->peak(0).opening;
   return law.softening == Softening::exponential ? law.energy / (std::numbers::e * law.strength)
                                                  : law.strength / law.stiffness;
 }
 
-Separation separate(const Cohesion& law, double opening, double largest) {
+Separation separate(const Cohesion& law, double opening, double largest, double mix, double left) {
+  if (law.formula) return separate_by_formula(law, opening, mix, left);
   return law.softening == Softening::exponential ? separate_exponentially(law, opening, largest)
                                                  : separate_linearly(law, opening, largest);
 }

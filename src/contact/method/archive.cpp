@@ -76,7 +76,7 @@ auto members(InterfaceLaw& law) {
 }
 
 auto members(Cohesion& law) {
-  auto& [strength, energy, softening, stiffness] = law;
+  auto& [strength, energy, softening, stiffness, formula] = law;
   return std::tie(strength, energy, softening, stiffness);
 }
 
@@ -96,8 +96,8 @@ template <int D> auto members(PointHistory<D>& point) {
 }
 
 template <int D> auto members(PointBond<D>& bond) {
-  auto& [opening, largest, pressure, shear] = bond;
-  return std::tie(opening, largest, pressure, shear);
+  auto& [opening, largest, pressure, shear, left, mix, dissipated, sheared, remaining] = bond;
+  return std::tie(opening, largest, pressure, shear, left, mix, dissipated, sheared, remaining);
 }
 
 template <int D> auto members(MultiplierResult<D>& result) {
@@ -190,6 +190,9 @@ void write(ArchiveWriter& to, const Method& method) {
            pressure->formula);
   if (coefficient) to.put(coefficient->formula);
   if (wear) to.put(wear->rate->formula, wear->update);
+  const CohesionFormula* bond = method.bond ? method.bond->formula.get() : nullptr;
+  to.put(bond != nullptr);
+  if (bond) to.put(bond->shear, bond->formula);
 }
 
 Method read(ArchiveReader& from, std::type_identity<Method>) {
@@ -206,6 +209,10 @@ Method read(ArchiveReader& from, std::type_identity<Method>) {
   if (wears) {
     method.law.wear = {slip_formula()};
     from.into(method.law.wear->update);
+  }
+  if (from.get<bool>()) {
+    const double shear = from.get<double>();
+    method.bond = cohesive(make_cohesion_formula(symbolic::read_formula(from, cohesion_variables()), shear));
   }
   return method;
 }

@@ -50,7 +50,16 @@ template <int D> struct PointBond {
   double largest = 0;            ///< of all accepted states and this one
   double pressure = 0;           ///< its share of PointResult::pressure, negative where it pulls
   Vec<D> shear = Vec<D>::Zero(); ///< its share of PointResult::friction
+  /// By formula: the fraction of its stiffness that is left, and the mode mix at which it fell last
+  double left = 1, mix = 0;
+  /// By formula: energy per area dissipated so far, what shear has of it, and the part left of the energy of separation
+  double dissipated = 0, sheared = 0, remaining = 1;
 };
+
+/// Share of shear in the energy that a bond by formula has dissipated.
+template <int D> double mix(const PointBond<D>& bond) {
+  return bond.dissipated > 0 ? bond.sheared / bond.dissipated : 0;
+}
 
 /// Result of one multiplier of mortar contact in an evaluation; components as in mortar_law.hpp.
 template <int D> struct MultiplierResult {

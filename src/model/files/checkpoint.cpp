@@ -23,7 +23,7 @@ namespace model {
 
 namespace {
 
-const ArchiveKind kind{"checkpoint", 10, 10};
+const ArchiveKind kind{"checkpoint", 11, 11};
 
 using Parts = std::vector<ScenePart>;
 

@@ -28,7 +28,10 @@ template <int D> Profile profile(const Model<D>& model, int contact) {
     append<D>(formulation.points().reference[i], {&result.reference_x, &result.reference_y, &result.reference_z});
     result.gap.push_back(gaps[i]);
     result.inside.push_back(inside[i]);
-    if (formulation.bonds()) result.damage.push_back(formulation.bonds()->damage(history, i));
+    if (const auto* bonds = formulation.bonds()) {
+      result.damage.push_back(bonds->damage(history, i));
+      if (bonds->law.formula) result.mix.push_back(mix(history.bonds[i]));
+    }
     if (formulation.parameters().rubs()) {
       const auto [mu, slip] = formulation.friction_at(history, i);
       result.mu.push_back(mu);

@@ -100,6 +100,15 @@ check.case("brake pad: mu at each speed, and a peak below static friction where 
   for _, row in ipairs(pad.rows) do check.within("friction at the end", row[3], row[4], 2e-3) end
 end)
 
+check.case("mixed-mode bending: energies per new area are those of the mode mix", function()
+  for _, row in ipairs(results("mixed_mode_bending", "elements=40", "ratios=-1,0.4", "steps=24").rows) do
+    check.within("share of shear", row[2], row[3], 0.02)
+    check.within("dissipated", row[6], 1, 0.01)
+    check.within("released", row[7], 1, 0.03)
+    check.within("energies", row[8], 1, 2e-3)
+  end
+end)
+
 check.case("rough joint: springs in series", function()
   for _, row in ipairs(results("rough_joint", "elements=2", "steps=5").rows) do
     check.within("pressure", row[2] / row[3], 1, 1e-9)
@@ -117,6 +126,8 @@ end)
 check.case("wrong arguments are errors", function()
   check.refused("objects/brake_pad", { ["over=0"] = "over", ["speeds=-1"] = "speeds", ["steps=1"] = "steps" })
   check.refused("objects/worn_pin", { ["scar=2"] = "scar", ["solid=2"] = "solid", ["force=0"] = "force" })
+  check.refused("objects/mixed_mode_bending", { ["ratios=2"] = "ratios", ["law=linear"] = "law",
+                                               ["shear=0"] = "shear" })
   check.refused("objects/rough_joint", { ["exponents=0.5"] = "exponents", ["elements=0"] = "elements" })
   check.refused("objects/roller", { ["mu=0"] = "mu", ["travel=2"] = "travel", ["steps=4"] = "steps" })
   check.refused("objects/belt", { ["h=0"] = "h", ["mu=1"] = "mu", ["elements=2"] = "elements", ["turn=0"] = "turn" })

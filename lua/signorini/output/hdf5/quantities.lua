@@ -35,6 +35,7 @@ local of_key = {
   wear = { "energy", "work that wear has taken along so far" },
   slip = { "length", "slip since the touch; of a contact its mean over the points that touch" },
   damage = { "count", "fraction of its stiffness that the bond has lost, 1 without a bond" },
+  mix = { "count", "share of shear in the energy that the bond has dissipated" },
   debonded = { "area", "new surface: energy dissipated by bonds over energy of separation" },
   state = { "count", "state of the point, an index into the list `states` from 0" },
   active = { "count", "points that touch" }, slipping = { "count", "points that slip" },

@@ -52,8 +52,8 @@ within a body are not available: make it of two bodies with a bonded contact.]],
     "contact" },
   { "pressure-overclosure, soft contact, exponential contact, asperities, rough surface, winkler",
     "The key `pressure` of a contact is a function of the gap in place of the penalty.", "contact" },
-  { "wear, archard, abrasion", [[The key `wear` of a contact is Archard's law; `offset`, which stages change, sets a depth
-that is known.]], "contact", "stage" },
+  { "wear, archard, abrasion", [[The key `wear` of a contact is Archard's law; `offset`, which stages change, sets a
+depth that is known.]], "contact", "stage" },
   { "self contact, general contact, contact pair",
     "Self-contact is not available. A contact is between the faces of two bodies, or with an obstacle.", "contact" },
   { "rigid body, rigid wall, analytical rigid surface, indenter, tool", [[Rigid bodies are obstacles, the master of a

@@ -61,7 +61,7 @@ local function law_text(law)
     if law[key] then parts[#parts + 1] = ('%s = "%s"'):format(key, law[key]) end
   end
   for _, key in ipairs { "penalty", "mu", "mu1", "mu2", "friction_penalty", "strength", "energy", "stiffness",
-    "hamaker", "r0" } do
+    "shear", "hamaker", "r0" } do
     if law[key] then parts[#parts + 1] = ("%s = %.4g"):format(key:gsub("_", "."), law[key]) end
     if key == "penalty" and law.default_penalty then parts[#parts] = parts[#parts] .. " (from material and mesh)" end
   end
@@ -72,6 +72,7 @@ local function law_text(law)
     parts[#parts + 1] = ("along = {%s}"):format(table.concat(words, ", "))
   end
   if law.wear_rate then parts[#parts + 1] = "wear.rate = " .. law.wear_rate end
+  if law.traction then parts[#parts + 1] = "traction = " .. law.traction end
   if law.bonded then parts[#parts + 1] = counted(law.bonded, "bonded point") end
   if law.offset and law.offset ~= 0 then parts[#parts + 1] = ("offset = %.4g"):format(law.offset) end
   if law.overlap then
