@@ -232,13 +232,12 @@ template <int D> view::Panel show(const model::Model<D>& model, const Showing& s
   const auto& contacts = model.system.scene.contacts;
   const bool found =
       !on_faces || std::ranges::any_of(contacts, [&](const auto& contact) { return has(contact, *on_faces); });
-  const bool any_contact = on_faces == model::FaceField::pressure;
-  require(found || (D == 2 && any_contact),
-          any_contact                            ? "figure.field.contact"
-          : on_faces == model::FaceField::damage ? "figure.field.cohesive"
-          : on_faces == model::FaceField::worn   ? "figure.field.wear"
-                                                 : "figure.field.friction",
-          {{"field", showing.field}});
+  const auto misses = [&](model::FaceField field) { return !found && on_faces == field; };
+  using model::FaceField;
+  require(D == 2 || !misses(FaceField::pressure), "figure.field.contact", {{"field", showing.field}});
+  require(!misses(FaceField::damage), "figure.field.cohesive", {{"field", showing.field}});
+  require(!misses(FaceField::worn), "figure.field.wear", {{"field", showing.field}});
+  require(!misses(FaceField::mu) && !misses(FaceField::slip), "figure.field.friction", {{"field", showing.field}});
   const model::Field<D>* field = showing.field.empty() || on_faces ? nullptr : &model::find_field<D>(showing.field);
   view::Panel panel;
   panel.windows = showing.windows;

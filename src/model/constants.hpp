@@ -92,8 +92,9 @@ inline constexpr int most_rounds = 5;
 inline constexpr double mistaken_overlap = 0.2;
 /// Offset relative to the thinner body's thickness above which a warning is given.
 inline constexpr double large_offset = 0.2;
-/// Depth of wear above which a warning is given, relative to the thickness of the slave's body, and to the radius of the
-/// master: in ironing mortar contact takes three times the iterations from 0.05 on, as with an offset of this depth.
+/// Depth of wear above which a warning is given, relative to the thickness of the slave's body, and to the radius of
+/// the master: in ironing mortar contact takes three times the iterations from 0.05 on, as with an offset of this
+/// depth.
 inline constexpr double much_wear = 0.1, much_curved_wear = 0.05;
 /// Penetration relative to the thickness of the master's body above which the opposite face is suggested.
 inline constexpr double whole_depth = 0.9;

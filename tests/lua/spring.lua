@@ -71,7 +71,8 @@ local function spring(fails)
              unsettled = 0 }
   end
   function model:profile() return { gap = { 1 } } end
-  function model:energy() return { stored = 0, contact = 0, friction = 0, work = 0, area_growth = 0, debonding = 0 } end
+  function model:energy() return { stored = 0, contact = 0, friction = 0, work = 0, area_growth = 0, debonding = 0,
+                                      wear = 0 } end
   function model:timings() return { bulk = self.spent * 1e-9, contact = 0, linear = 0 } end
   return model
 end

@@ -126,8 +126,7 @@ template <int D> int contact_resultant(const model::Model<D>& model, const std::
   set_field(L, "per", area_name(named));
   if (is_half) set_field(L, "imbalance", model::imbalance(model, static_cast<int>(contact)));
   set_force<D>(L, sum.force);
-  if (may_rub(named.method.law))
-    set_field(L, "slip", contact::mean_slip(*model.system.contacts[contact], model.present.contacts[contact]));
+  if (may_rub(named.method.law)) set_field(L, "slip", contact::mean_slip(model.present.contacts[contact]));
   if (named.method.bond)
     set_field(L, "debonded",
               model.system.contacts[contact]->bonds()->debonded(model.system.contacts[contact]->points(),

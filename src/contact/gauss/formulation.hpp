@@ -54,12 +54,6 @@ template <int D> struct ContactCounters {
   double search_seconds = 0; ///< for updates of the search tree and projections while timed, summed over threads
 };
 
-/// What the law of an interface has done to a contact point; 0 where it does not act.
-struct PointFriction {
-  double mu;   ///< coefficient of friction, see Slide
-  double slip; ///< since the touch, in the accepted state
-};
-
 /// One contact. Members hold constant data and the moving faces; everything else is in the History passed to its
 /// methods. commit() and return_to_accepted() store the faces' accepted position.
 template <int D> class Formulation {
@@ -85,9 +79,6 @@ public:
   virtual const Multipliers* multipliers() const { return nullptr; }
   /// Null unless cohesive.
   virtual const Bonds<D>* bonds() const { return nullptr; }
-  virtual PointFriction friction_at(const History<D>& history, std::size_t i) const {
-    return {history.results[i].mu, history.points[i].slipped};
-  }
 
   /// Evaluation: move() once, then evaluate_part() for 0 … parts() − 1, in any order and in parallel, then gather(),
   /// which may use parallel() itself. blocks() are then those of the trial, bitwise independent of the order. Without

@@ -79,11 +79,11 @@ template <int D> double mean_pressure(const ContactPoints<D>& points, const Hist
   return largest;
 }
 
-template <int D> double mean_slip(const Formulation<D>& formulation, const History<D>& history) {
+template <int D> double mean_slip(const History<D>& history) {
   double sum = 0, area = 0;
   for (std::size_t i = 0; i < history.results.size(); ++i) {
     if (!touches(history.results[i].state)) continue; // nor do points that do not act
-    sum += formulation.friction_at(history, i).slip * history.results[i].area;
+    sum += history.points[i].slipped * history.results[i].area;
     area += history.results[i].area;
   }
   return area > 0 ? sum / area : 0;
@@ -92,7 +92,7 @@ template <int D> double mean_slip(const Formulation<D>& formulation, const Histo
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \
   template std::optional<PeakZone<D>> peak_zone(const Formulation<D>&, const History<D>&);                             \
   template double mean_pressure(const ContactPoints<D>&, const History<D>&);                                           \
-  template double mean_slip(const Formulation<D>&, const History<D>&);
+  template double mean_slip(const History<D>&);
 SIGNORINI_INSTANTIATE(2)
 SIGNORINI_INSTANTIATE(3)
 #undef SIGNORINI_INSTANTIATE

@@ -23,6 +23,6 @@ template <int D> std::optional<PeakZone<D>> peak_zone(const Formulation<D>& form
 template <int D> double mean_pressure(const ContactPoints<D>& points, const History<D>& history);
 
 /// The mean slip since the touch over the points that touch, Σ γ a / Σ a with their areas a; 0 without any.
-template <int D> double mean_slip(const Formulation<D>& formulation, const History<D>& history);
+template <int D> double mean_slip(const History<D>& history);
 
 } // namespace signorini::contact

@@ -174,6 +174,7 @@ void MortarContact<D>::add_point(std::size_t i, int part, const Trial<D>& trial,
     const double share = values[a] * multiplier.pressure;
     pressure += share;
     friction += values[a] * multiplier.friction;
+    result.mu += values[a] * multiplier.mu;
     worn += values[a] * multiplier.worn;
     weights[a] = area * values[a];
     if (std::abs(share) <= largest) continue;
@@ -296,6 +297,20 @@ template <int D> void MortarContact<D>::advance(History<D>& present, const Histo
     point.slip = point.projection.point();
   }
   if (parameters_.law->wear) wear(present, accepted);
+  spread(present);
+}
+
+/// Gives the points what the multipliers have slipped and worn, Σ M_A γ_A and Σ M_A w_A.
+template <int D> void MortarContact<D>::spread(History<D>& present) const {
+  for (std::size_t i = 0; i < present.points.size(); ++i) {
+    PointHistory<D>& point = present.points[i];
+    point.slipped = point.worn = 0;
+    const double* value = functions_.at_point(i);
+    for (const int a : functions_.on(points_.list[i].element)) {
+      point.slipped += *value * present.multipliers[a].slipped;
+      point.worn += *value++ * present.multipliers[a].worn;
+    }
+  }
 }
 
 /// Adds what the multipliers have worn in an accepted step.
@@ -306,12 +321,6 @@ template <int D> void MortarContact<D>::wear(History<D>& present, const History<
     present.worn_volume += share * result.area * result.worn;
     present.wear += share * 0.5 * (last.pressure * last.area + result.pressure * result.area) * result.worn;
     present.multipliers[a].worn += result.worn;
-  }
-  for (std::size_t i = 0; i < present.points.size(); ++i) {
-    const auto on = functions_.on(points_.list[i].element);
-    double worn = 0;
-    for (std::size_t a = 0; a < on.size(); ++a) worn += functions_.at_point(i)[a] * present.multipliers[on[a]].worn;
-    present.points[i].worn = worn;
   }
 }
 
@@ -327,18 +336,10 @@ void MortarContact<D>::release(History<D>& present, const History<D>& accepted, 
     history.elastic.setZero();
     history.touch.setZero();
   }
-  for (PointHistory<D>& point : present.points) point.slips = false;
-}
-
-/// Σ M_A μ_A and Σ M_A γ_A
-template <int D> PointFriction MortarContact<D>::friction_at(const History<D>& history, std::size_t i) const {
-  PointFriction sum{};
-  const double* value = functions_.at_point(i);
-  for (const int a : functions_.on(points_.list[i].element)) {
-    sum.mu += *value * history.multiplier_results[a].mu;
-    sum.slip += *value++ * history.multipliers[a].slipped;
+  for (PointHistory<D>& point : present.points) {
+    point.slips = false;
+    point.slipped = 0;
   }
-  return sum;
 }
 
 template <int D> double MortarContact<D>::stiffness(const History<D>& history, double penalty_factor) const {

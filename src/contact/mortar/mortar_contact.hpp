@@ -17,7 +17,6 @@ public:
   MortarContact(const ContactSetting<D>& setting, const InterfaceLaw& law, MultiplierSpace multipliers, Pass pass);
 
   const Multipliers* multipliers() const override { return &multipliers_; }
-  PointFriction friction_at(const History<D>& history, std::size_t i) const override;
   /// Except beyond open ends of the master, where the area on which tractions act changes.
   bool has_potential() const override { return !may_rub(*parameters_.law) && parameters_.pass == Pass::full; }
   int parts() const override { return std::ssize(parts_); }
@@ -43,6 +42,7 @@ private:
   void couple(bool frictional);
   void advance(History<D>& present, const History<D>& accepted) const;
   void wear(History<D>& present, const History<D>& accepted) const;
+  void spread(History<D>& present) const;
   void release(History<D>& present, const History<D>& accepted, double tangential) const;
   void take_back(std::vector<Block>& blocks) override;
 

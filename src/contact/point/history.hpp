@@ -41,7 +41,7 @@ template <int D> struct PointHistory {
   MasterPoint<D> slip;
   double limit = 0;               ///< μ t_N times the area in the accepted state
   double slipped = 0, recent = 0; ///< slip since the touch, and since the last whole step in which it stuck
-  double worn = 0;                ///< depth by which it has worn; of mortar contact Σ M_A w_A
+  double worn = 0; ///< depth by which it has worn; slips and this of mortar contact Σ M_A γ_A, Σ M_A w_A
 };
 
 /// Bond of one contact point: history and result.

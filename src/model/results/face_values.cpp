@@ -28,9 +28,9 @@ double point_value(const contact::Formulation<D>& formulation, const contact::Hi
   case FaceField::damage:
     return formulation.bonds()->damage(history, i);
   case FaceField::mu:
-    return formulation.friction_at(history, i).mu;
+    return history.results[i].mu;
   case FaceField::slip:
-    return formulation.friction_at(history, i).slip;
+    return history.points[i].slipped;
   default:
     return history.points[i].worn;
   }

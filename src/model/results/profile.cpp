@@ -33,9 +33,8 @@ template <int D> Profile profile(const Model<D>& model, int contact) {
       if (bonds->law.formula) result.mix.push_back(mix(history.bonds[i]));
     }
     if (formulation.parameters().rubs()) {
-      const auto [mu, slip] = formulation.friction_at(history, i);
-      result.mu.push_back(mu);
-      result.slip.push_back(slip);
+      result.mu.push_back(point.mu);
+      result.slip.push_back(history.points[i].slipped);
     }
     if (formulation.parameters().law && formulation.parameters().law->wear)
       result.worn.push_back(history.points[i].worn);

@@ -15,7 +15,7 @@ struct Profile {
   std::vector<double> traction; ///< tangential: signed along the slave face's direction (2D), |t_T| (3D)
   std::vector<double> damage;   ///< of the points' bonds; empty unless the contact is cohesive
   std::vector<double> mix;      ///< share of shear in the energy that these have dissipated; empty unless by formula
-  std::vector<double> mu, slip; ///< contact::PointFriction; empty without friction
+  std::vector<double> mu, slip; ///< coefficient of friction, slip since the touch; empty without friction
   std::vector<double> worn;     ///< depth of wear; empty without wear
   std::vector<double> traction_x, traction_y, traction_z; ///< t_T; the traction on the slave is t_N n̄ − t_T
   std::vector<std::string> state;                         ///< contact::name_of()

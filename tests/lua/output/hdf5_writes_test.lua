@@ -111,7 +111,7 @@ check.case("a full disk ends the run with an error and leaves the last complete 
   check.ended({ script([[
 print(pcall(model.run, model, { { steps = 40000, top = {0, -0.1} } }, { hdf5 = { file = "full.h5", every = 1 } }))
 print(model:target "top"[2] < 0)
-]], "ulimit -f 300;") }, 0,
+]], "ulimit -f 400;") }, 0,
     "false", "model:run: cannot write", "full.h5", "that a file of this process may have", "true")
   local found = read(folder .. "/full.h5")
   check.equal(#found["/profiles/step"].values, #found["/columns/step"].values + 1)

@@ -9,7 +9,7 @@ local function found(...)
   local record, energy = jumps.record(), { work = 0, stored = 0, contact = 0, friction = 0 }
   local model, step = { energy = function()
     return { work = energy.work, stored = energy.stored, contact = 0, friction = 0, area_growth = 0,
-             debonding = 0 }
+             debonding = 0, wear = 0 }
   end }, 0
   for _, stage in ipairs { ... } do
     jumps.begin(record, model)
