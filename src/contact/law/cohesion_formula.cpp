@@ -11,7 +11,7 @@ namespace signorini::contact {
 
 namespace {
 
-constexpr int sampled_openings = 200, sampled_mixtures = 20, bisections = 60, most_halvings = 1000,
+constexpr int sampled_openings = 200, sampled_mixtures = 20, bisections = 60, most_halvings = 200,
               most_newton_steps = 8;
 /// Rounding error of a formula, relative to its largest value.
 constexpr double cohesion_rounding = 1e-9;
@@ -40,7 +40,7 @@ std::array<double, 3> values(const symbolic::Tape& tape, double opening, double 
 
 /// ∫ f dx from a to b by Gauss–Lobatto's rule with 8 points, whose ends see every kink, in halves until two of them
 /// agree with the whole.
-template <class Function> double integrate(const Function& f, double a, double b, double tolerance, int depth = 40) {
+template <class Function> double integrate(const Function& f, double a, double b, double tolerance, int depth = 30) {
   const auto sum = [&](double from, double to) {
     constexpr double nodes[] = {0.2092992179024789, 0.5917001814331423, 0.8717401485096066, 1};
     constexpr double weights[] = {0.4124587946587039, 0.3411226924835044, 0.2107042271435060, 0.0357142857142857};
@@ -51,7 +51,7 @@ template <class Function> double integrate(const Function& f, double a, double b
     return result;
   };
   const double middle = 0.5 * (a + b), whole = sum(a, b), halves = sum(a, middle) + sum(middle, b);
-  if (depth == 0 || std::abs(halves - whole) <= tolerance) return halves;
+  if (depth == 0 || std::abs(halves - whole) <= std::max(tolerance, root_rounding * std::abs(halves))) return halves;
   return integrate(f, a, middle, tolerance, depth - 1) + integrate(f, middle, b, tolerance, depth - 1);
 }
 
@@ -178,10 +178,14 @@ std::shared_ptr<const CohesionFormula> make_cohesion_formula(symbolic::Formula f
   const int by_opening = symbolic::derivative(graph, node, 0), by_mix = symbolic::derivative(graph, node, 1);
   made->mixed = !graph.is_constant(by_mix, 0);
   made->tape = symbolic::compile(graph, {node, by_opening, by_mix}, false);
+  require(std::isfinite(shear) && shear > 0, "contact.cohesion.shear", {{"value", shear}});
   made->stiffness = values(made->tape, 0, 0)[1];
   require(std::isfinite(made->stiffness) && made->stiffness > 0, "contact.cohesion.slope",
           {{"mix", 0.0}, {"value", made->stiffness}, {"first", made->stiffness}});
-  made->length = opening_at(*made, 0.5, 0, 0, 1);
+  const double start = made->traction(0, 0), far = made->length = opening_at(*made, 0.5, 0, 0, 1);
+  const bool falls = made->left(far, 0).value <= 0.5 + cohesion_rounding;
+  require(falls || start == 0, "contact.cohesion.start", {{"mix", 0.0}, {"value", start}});
+  require(falls, "contact.cohesion.area", {{"opening", far}, {"mix", 0.0}, {"value", made->traction(far, 0)}});
   for (int k = 0; k <= (made->mixed ? sampled_mixtures : 0); ++k)
     check_at(*made, static_cast<double>(k) / sampled_mixtures);
   return made;
