@@ -106,6 +106,8 @@ check.refusals(start, "study.lua:", {
   { "with{ traction = function(u) return sg.max(0, sg.min(3 * u, 1 - u)) end }", "cohesive.traction / u rises",
     "sg.min(K * u, sg.max(0, …))" },
   { "with{ traction = function(u) return u / (1 + u) end }", "it must fall to 0" },
+  { "with{ traction = function(u) return u end }", "it must fall to 0" },
+  { "with{ traction = function(u) return 1 + u end }", "is 1 at u = 0", "bonds start without traction" },
   { "with{ traction = function(u, m) return (1 + m) * u * sg.exp(-u) end }", "is 1.05 at m = 0.05", "shear = b" },
   { "with{ strength = 0.1, energy = function(m) return 0.2 + m ^ 0.5 end }", "exponents of at least 1" },
   { "with{ strength = 0.1, energy = function(m) return 0.2 - m end }",
