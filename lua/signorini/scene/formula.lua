@@ -76,7 +76,7 @@ function formula.level_set(values)
   return core.level_set{ f = formula_of(where, "f", values.f, symbols), low = low, high = high }
 end
 
--- As friction_variables() of src/contact/law/friction_formula.cpp; users have all but `recent`.
+-- As slip_variables() of src/contact/law/slip_formula.cpp; users have all but `recent`.
 local friction_names = { "p", "v", "slip", "X", "Y", "Z", "recent", "cosine" }
 
 --- The formula of a coefficient of friction: of a function, or of { static, kinetic, over }.

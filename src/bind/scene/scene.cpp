@@ -94,7 +94,7 @@ void read_coefficient(const Arguments& friction, int dimension, contact::Interfa
   }
   const Symbol& mu = read_formula(friction, "mu", "friction");
   law.friction = 1;
-  law.coefficient = contact::make_friction_formula({*mu.graph, mu.node});
+  law.coefficient = contact::make_slip_formula({*mu.graph, mu.node});
 }
 
 /// k of wear: a number, or a formula.
@@ -102,12 +102,12 @@ contact::Wear read_wear(const Arguments& wear) {
   contact::Wear law;
   law.update = choice<contact::WearUpdate>(wear.get<std::string>("update"), {"implicit", "explicit"});
   if (wear.is("rate", LUA_TNUMBER)) {
-    symbolic::Graph graph(contact::friction_variables());
+    symbolic::Graph graph(contact::slip_variables());
     const int rate = graph.constant(wear.get<double>("rate"));
-    law.rate = contact::make_friction_formula({graph, rate});
+    law.rate = contact::make_slip_formula({graph, rate});
   } else {
     const Symbol& rate = read_formula(wear, "rate", "wear");
-    law.rate = contact::make_friction_formula({*rate.graph, rate.node});
+    law.rate = contact::make_slip_formula({*rate.graph, rate.node});
   }
   return law;
 }

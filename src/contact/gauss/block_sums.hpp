@@ -8,6 +8,8 @@
 #include "contact/point/parameters.hpp"
 #include "contact/point/point_geometry.hpp"
 
+#include <optional>
+
 namespace signorini::contact {
 
 /// The chain rule at a contact point: derivatives with respect to the displacements of nodes, of the slave element, the
@@ -76,7 +78,8 @@ template <int D> struct SumPart {
   std::size_t first, last; ///< points
   BlockSums<D> sums;
   bool tangent = false;
-  double search_seconds = 0; ///< since the last hand_over()
+  std::optional<InterfaceLaw> law = {}; ///< of the state that is evaluated
+  double search_seconds = 0;            ///< since the last hand_over()
 };
 template <int D> std::vector<SumPart<D>> parts_of(const Faces<D>& faces, const ContactPoints<D>& points, Pass pass);
 /// Moves blocks and times of all parts.

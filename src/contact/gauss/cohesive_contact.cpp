@@ -61,7 +61,7 @@ void CohesiveContact<D>::evaluate_point(std::size_t i, const Trial<D>& trial, Su
   const PointBond<D>& accepted = trial.accepted.bonds[i];
   const double weight = shear_weight(bonds_.law);
   bond.weight = weight * weight;
-  const InterfaceLaw law = parameters_.law_in(trial.present.changes, trial.penalty_factor);
+  const InterfaceLaw& law = *part.law;
   if (!fixed) {
     if (tells_shear(bonds_.law)) {
       bond.split = &bonded;

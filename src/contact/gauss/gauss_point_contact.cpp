@@ -11,6 +11,7 @@ namespace signorini::contact {
 template <int D> void GaussPointContact<D>::evaluate_part(int index, const Trial<D>& trial, bool tangent) {
   SumPart<D>& part = parts_[index];
   part.tangent = tangent;
+  part.law = parameters_.law_in(trial.present.changes, trial.penalty_factor);
   FootPoints<D> feet;
   for (std::size_t i = part.first; i < part.last; ++i) {
     if (i > part.first && points_.list[i].element != points_.list[i - 1].element) part.sums.close_element(tangent);
@@ -75,10 +76,9 @@ void GaussPointContact<D>::evaluate_point(std::size_t i, const Trial<D>& trial, 
   if (!parameters_.active(trial.present.changes)) return;
   const std::optional<FixedContactState> fixed = close(i, trial, part, feet);
   if (!fixed) return;
-  const InterfaceLaw law = parameters_.law_in(trial.present.changes, trial.penalty_factor);
-  const LocalGeometry<D> geometry = closed_geometry(i, trial, law, *fixed, feet);
+  const LocalGeometry<D> geometry = closed_geometry(i, trial, *part.law, *fixed, feet);
   LocalForce<D> force;
-  interface_force(law, geometry, force);
+  interface_force(*part.law, geometry, force);
   record(i, trial, geometry, force, part, feet);
 }
 

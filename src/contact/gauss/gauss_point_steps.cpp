@@ -110,11 +110,13 @@ void GaussPointContact<D>::evaluate_points(History<D>& present, const std::vecto
   const Controls controls;
   const Trial<D> trial{present, present, controls, penalty_factor};
   FootPoints<D> feet;
+  const InterfaceLaw law = parameters_.law_in(present.changes, penalty_factor);
   std::optional<SumPart<D>> part; // of one element; its forces are not used
   int element = -1;
   for (const std::size_t i : points) {
     if (points_.list[i].element != element)
-      part.emplace(SumPart<D>{0, 0, BlockSums<D>(faces_.slave, faces_.master, parameters_.pass)});
+      part.emplace(
+          SumPart<D>{.first = 0, .last = 0, .sums = {faces_.slave, faces_.master, parameters_.pass}, .law = law});
     element = points_.list[i].element;
     present.results[i] = {};
     present.results[i].position = position(points_, faces_.slave, i);
@@ -124,7 +126,7 @@ void GaussPointContact<D>::evaluate_points(History<D>& present, const std::vecto
 
 template <int D>
 void GaussPointContact<D>::accept(History<D>& present, const History<D>& accepted, double penalty_factor) {
-  if (parameters_.law->wear) wear(present, accepted);
+  if (parameters_.wears()) wear(present, accepted);
   double farthest = 0; // by which a point of the slave has approached the master
   const double master_moved = points_.sparse > 0 ? faces_.master_moved() : 0;
   for (std::size_t i = 0; i < points_.size() && points_.sparse > 0; ++i)

@@ -99,7 +99,7 @@ void recall(const std::vector<PointMemory<D>>& memories, const Formulation<D>& c
     const PointMemory<D>& closest = memories[nearest<D>(memories, all, place).front()];
     FaceGeometry<D> foot;
     point.projection = closest.projection;
-    if (contact.parameters().law->wear) {
+    if (contact.parameters().wears()) {
       const std::vector<std::size_t> near = nearest<D>(memories, all, place);
       const std::vector<double> w = weights<D>(memories, near, place);
       for (std::size_t k = 0; k < near.size(); ++k) point.worn += w[k] * memories[near[k]].worn;

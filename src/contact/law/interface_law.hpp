@@ -5,8 +5,8 @@
 
 #include "contact/law/adhesion.hpp"
 #include "contact/law/changes.hpp"
-#include "contact/law/friction_formula.hpp"
 #include "contact/law/pressure_formula.hpp"
+#include "contact/law/slip_formula.hpp"
 #include "contact/law/state.hpp"
 
 #include <limits>
@@ -21,7 +21,7 @@ enum class WearUpdate : unsigned char { within, after };
 
 /// Depth k p Δγ by which a point wears as it slips; the face does not move, but touches at a gap that is less by it.
 struct Wear {
-  std::shared_ptr<const FrictionFormula> rate; ///< k, of the variables of a coefficient of friction; 1/pressure
+  std::shared_ptr<const SlipFormula> rate; ///< k, of the variables of a coefficient of friction; 1/pressure
   WearUpdate update = WearUpdate::within;
 };
 
@@ -39,7 +39,7 @@ struct InterfaceLaw {
   bool frictional = false;                              ///< μ may change along the path, also if it is 0
   std::optional<Adhesion> adhesion = {};                ///< in place of the penalty: acts at any gap, without friction
   std::shared_ptr<const PressureFormula> pressure = {}; ///< in place of the penalty
-  std::shared_ptr<const FrictionFormula> coefficient = {}; ///< in place of μ
+  std::shared_ptr<const SlipFormula> coefficient = {};  ///< in place of μ
   std::optional<Wear> wear = {};
   std::optional<Vec<3>> along = {}; ///< of friction that depends on the direction: e₁ in the reference configuration
   std::optional<Vec<2>> ellipse = {}; ///< in place of μ: μ₁ along e₁, μ₂ across

@@ -204,7 +204,7 @@ Method read(ArchiveReader& from, std::type_identity<Method>) {
     const double given = from.get<double>(), clearance = bounded ? given : std::numeric_limits<double>::infinity();
     method.law.pressure = make_pressure_formula(symbolic::read_formula(from, pressure_variables()), clearance);
   }
-  const auto slip_formula = [&] { return make_friction_formula(symbolic::read_formula(from, friction_variables())); };
+  const auto slip_formula = [&] { return make_slip_formula(symbolic::read_formula(from, slip_variables())); };
   if (rubs) method.law.coefficient = slip_formula();
   if (wears) {
     method.law.wear = {slip_formula()};

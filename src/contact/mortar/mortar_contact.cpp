@@ -296,7 +296,7 @@ template <int D> void MortarContact<D>::advance(History<D>& present, const Histo
     point.slips = !element_sums_.skipped(points_.list[i].element) && point.projection.foot != Foot::none;
     point.slip = point.projection.point();
   }
-  if (parameters_.law->wear) wear(present, accepted);
+  if (parameters_.wears()) wear(present, accepted);
   spread(present);
 }
 

@@ -97,7 +97,7 @@ void MultiplierContact<D>::evaluate_point(std::size_t i, const Trial<D>& trial, 
   const PointCondition<D> open = open_condition<D>(multiplier, frictional());
   const double reference = points_.list[i].reference_area;
   const FixedContactState state = trial.controls.fixed(static_cast<int>(i));
-  const InterfaceLaw law = parameters_.law_in(trial.present.changes);
+  const InterfaceLaw& law = *part.law;
   // A point with a pressure is closed up to the gap pressure/ε.
   const double reach = faces_.travel + trial.controls.guessed + multiplier.norm() / law.normal;
   if (!parameters_.active(trial.present.changes) || state == FixedContactState::open ||
@@ -129,11 +129,10 @@ void MultiplierContact<D>::evaluate_point(std::size_t i, const Trial<D>& trial, 
 template <int D>
 void MultiplierContact<D>::transmit(std::size_t i, const Trial<D>& trial, const Vec<D>& multiplier,
                                     const LocalGeometry<D>& geometry, SumPart<D>& part, FootPoints<D>& feet) {
-  const InterfaceLaw law = parameters_.law_in(trial.present.changes);
   const Vec<D>& n = geometry.normal;
   LocalForce<D> force;
   const GapRows<D> gap = gap_rows(geometry, force.shift);
-  const PointCondition<D> condition = closed_condition(law, geometry, multiplier, frictional(), gap, force.shift);
+  const PointCondition<D> condition = closed_condition(*part.law, geometry, multiplier, frictional(), gap, force.shift);
   const Vec<D> own = multiplier + condition.residual, traction = frictional() ? own : Vec<D>(own(0) * n);
   LocalRow<D> measure_row = LocalRow<D>::Zero();
   force.measure = geometry.reference_measure;

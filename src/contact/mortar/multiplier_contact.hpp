@@ -32,10 +32,6 @@ public:
   void gather(const Trial<D>& trial, bool tangent) override;
   void commit(History<D>& present, const History<D>& accepted, double penalty_factor) override;
   double memory() const override;
-  /// The factor does not act.
-  double stiffness(const History<D>& history, double /*penalty_factor*/) const override {
-    return GaussPointContact<D>::stiffness(history, 1);
-  }
 
 private:
   using GaussPointContact<D>::faces_, GaussPointContact<D>::points_, GaussPointContact<D>::parameters_,

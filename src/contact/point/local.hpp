@@ -3,7 +3,7 @@
 // area that all laws share.
 
 #include "contact/closest/projection.hpp"
-#include "contact/law/friction_formula.hpp"
+#include "contact/law/slip_formula.hpp"
 #include "contact/law/state.hpp"
 
 namespace signorini::contact {

@@ -28,15 +28,17 @@ struct Parameters {
   template <class History> double offset(std::size_t i, const History& history) const {
     return offset(i, history.changes) - history.points[i].worn;
   }
-  /// The penalty law in a state, with its penalty parameters times a factor. Requires a law.
-  InterfaceLaw law_in(const Changes& changes, double factor = 1) const {
-    return scaled(changed(*law, changes), factor);
+  /// The law in a state, with its penalty parameters times a factor, which does not act on those that weigh
+  /// multipliers. Requires a law.
+  InterfaceLaw law_in(const Changes& changes, double factor) const {
+    return scaled(changed(*law, changes), law->enforcement == Enforcement::multipliers ? 1 : factor);
   }
   /// Coulomb's μ and the penalty parameter ε_N (0: none), which warnings and the diagnosis compare with usual values.
   double friction(const Changes& changes) const { return law ? changed(*law, changes).friction : 0; }
   bool slides(const Changes& changes) const { return law && contact::slides(changed(*law, changes)); }
   /// True if the coefficient of friction or the rate of wear differs between points or directions.
   bool by_formula() const { return law && (law->coefficient || law->wear || law->ellipse); }
+  bool wears() const { return law && law->wear; }
   bool rubs() const { return law && may_rub(*law); }
   double penalty(const Changes& changes) const { return law ? changed(*law, changes).normal : 0; }
   /// Both half passes compute the whole energy of the springs and the whole work of friction between the faces: each

@@ -36,8 +36,7 @@ template <int D> Profile profile(const Model<D>& model, int contact) {
       result.mu.push_back(point.mu);
       result.slip.push_back(history.points[i].slipped);
     }
-    if (formulation.parameters().law && formulation.parameters().law->wear)
-      result.worn.push_back(history.points[i].worn);
+    if (formulation.parameters().wears()) result.worn.push_back(history.points[i].worn);
     const bool is_held = touches(point.state) || point.state == contact::ContactState::bonded;
     append<D>(point.position, {&result.x, &result.y, &result.z});
     result.area.push_back(point.area);

@@ -1,4 +1,4 @@
-#include "contact/law/friction_formula.hpp"
+#include "contact/law/slip_formula.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -11,11 +11,11 @@ enum Variable { p, v, slip_so_far, x, y, z, recent, cosine, variables };
 
 } // namespace
 
-std::vector<std::string> friction_variables() {
+std::vector<std::string> slip_variables() {
   return {"p", "v", "slip", "X", "Y", "Z", "recent", "cosine"};
 }
 
-Coefficient FrictionFormula::operator()(double pressure, double slip, const Interface& at) const {
+Coefficient SlipFormula::operator()(double pressure, double slip, const Interface& at) const {
   const double per_time = at.duration > 0 ? 1 / at.duration : 0;
   thread_local std::vector<double> registers;
   if (std::ssize(registers) < tape.registers) registers.resize(tape.registers);
@@ -28,12 +28,12 @@ Coefficient FrictionFormula::operator()(double pressure, double slip, const Inte
   return {output(0), output(1), output(2) * per_time + output(3) + output(4), output(5)};
 }
 
-std::string text_of(const FrictionFormula& law) {
+std::string text_of(const SlipFormula& law) {
   return symbolic::text_of(law.formula.graph, law.formula.node);
 }
 
-std::shared_ptr<const FrictionFormula> make_friction_formula(symbolic::Formula formula) {
-  auto made = std::make_shared<FrictionFormula>(FrictionFormula{std::move(formula), {}, false, false});
+std::shared_ptr<const SlipFormula> make_slip_formula(symbolic::Formula formula) {
+  auto made = std::make_shared<SlipFormula>(SlipFormula{std::move(formula), {}, false, false});
   auto& [graph, node] = made->formula;
   std::vector<int> outputs{node};
   for (const Variable by : {p, v, slip_so_far, recent, cosine})

@@ -1,5 +1,5 @@
 #pragma once
-// Coefficients of friction that are formulas of pressure, slip and place [theory 7.5].
+// Formulas of pressure, slip and place: coefficients of friction and rates of wear [theory 7.5, 7.7].
 
 #include "contact/law/interface.hpp"
 #include "symbolic/archive.hpp"
@@ -11,26 +11,26 @@
 
 namespace signorini::contact {
 
-/// μ, ∂μ/∂p, dμ/dΔγ and ∂μ/∂c.
+/// The value, here μ, and its ∂/∂p, d/dΔγ and ∂/∂c.
 struct Coefficient {
   double value, of_pressure, of_slip, of_cosine = 0;
 };
 
 /// Copies of a law share it.
-struct FrictionFormula {
-  symbolic::Formula formula; ///< of friction_variables()
-  symbolic::Tape tape;       ///< μ and its derivatives by p, v, slip, recent and cosine
+struct SlipFormula {
+  symbolic::Formula formula; ///< of slip_variables()
+  symbolic::Tape tape;       ///< the value and its derivatives by p, v, slip, recent and cosine
   bool of_rate, of_cosine;   ///< it depends on v, on the direction of sliding
 
   Coefficient operator()(double pressure, double slip, const Interface& at) const;
 };
 
 /// "p", "v" (slip rate Δγ/Δt), "slip" (γ + Δγ), "X", "Y", "Z", "recent", "cosine".
-std::vector<std::string> friction_variables();
+std::vector<std::string> slip_variables();
 
 /// The formula as Lua text.
-std::string text_of(const FrictionFormula& law);
+std::string text_of(const SlipFormula& law);
 
-std::shared_ptr<const FrictionFormula> make_friction_formula(symbolic::Formula formula);
+std::shared_ptr<const SlipFormula> make_slip_formula(symbolic::Formula formula);
 
 } // namespace signorini::contact
