@@ -16,12 +16,12 @@ using namespace test;
 using Formula = Term (*)(const Term& p, const Term& v, const Term& slip, const Term& x, const Term& recent);
 
 InterfaceLaw with(Formula formula, double normal = 100, double tangential = 80) {
-  const auto graph = std::make_shared<symbolic::Graph>(friction_variables());
+  const auto graph = std::make_shared<symbolic::Graph>(slip_variables());
   const auto variable = [&](int number) { return Term{graph, graph->variable(number)}; };
   const Term mu = formula(variable(0), variable(1), variable(2), variable(3), variable(6));
   InterfaceLaw law{normal, tangential, 1};
   law.frictional = true;
-  law.coefficient = make_friction_formula({*graph, mu.node});
+  law.coefficient = make_slip_formula({*graph, mu.node});
   return law;
 }
 
@@ -85,14 +85,14 @@ template <int N> void slides() {
   EXPECT_GT(slid, 150);
 }
 
-TEST(FrictionFormula, SlipSatisfiesItsEquationAndDerivativesAreThoseOfDifferences) {
+TEST(SlipFormula, SlipSatisfiesItsEquationAndDerivativesAreThoseOfDifferences) {
   slides<1>();
   slides<2>();
   slides<3>();
 }
 
 /// A law that falls faster than the spring can follow is reported, and the friction is still on the cone.
-TEST(FrictionFormula, AJumpIsReported) {
+TEST(SlipFormula, AJumpIsReported) {
   const InterfaceLaw law = with([](const Term&, const Term&, const Term& slip, const Term&, const Term&) {
     return 0.4 * power(1000 * slip + 1, -1) + 0.1;
   });
@@ -109,7 +109,7 @@ TEST(FrictionFormula, AJumpIsReported) {
 }
 
 /// Work of the friction less the energy of its spring along random paths with reversals
-TEST(FrictionFormula, DissipatesAlongRandomPaths) {
+TEST(SlipFormula, DissipatesAlongRandomPaths) {
   Random random(8);
   for (int path = 0; path < 10000; ++path) {
     const InterfaceLaw law = with(formulas[path % std::ssize(formulas)]);
@@ -129,40 +129,21 @@ TEST(FrictionFormula, DissipatesAlongRandomPaths) {
   }
 }
 
-TEST(FrictionFormula, TangentIsTheForcesDerivativeInThePlane) {
+TEST(SlipFormula, TangentIsTheForcesDerivativeInThePlane) {
   Census sum;
   unsigned seed = 0;
-  for (const Formula formula : formulas)
-    for (const bool revolved : {false, true}) {
-      const InterfaceLaw law = with(formula);
-      for (const Law& any : {Law(law), Law(law, {}, Pass::half)}) {
-        Couple couple("N2-N2.1", slab("N2"), any, 0.8, 1.0, revolved);
-        couple.pair.take(duration);
-        sum.add(press_and_drag(std::move(couple), ++seed, 0.06, {3e-4, 0.02, 0.1, -0.03}));
-      }
-      for (const Law& any : {Law(law, MultiplierSpace::equal), Law(law, MultiplierSpace::reduced, Pass::half)}) {
-        Couple couple = pressed_disc("N2", slab("N2"), any, 0.8, 1.0, revolved);
-        couple.pair.take(duration);
-        sum.add(press_and_drag(std::move(couple), ++seed, 0.06, {3e-4, 0.02, 0.1, -0.03}));
-      }
-    }
+  for (const Formula formula : formulas) sum.add(press_by_law(with(formula), duration, seed));
   sum.expect({.states = 150, .stick = 1000, .slip = 1000});
 }
 
-TEST(FrictionFormula, TangentIsTheResidualsDerivativeWithMultipliers) {
+TEST(SlipFormula, TangentIsTheResidualsDerivativeWithMultipliers) {
   Census sum;
   unsigned seed = 0;
-  for (const Formula formula : formulas) {
-    Law law(with(formula), MultiplierSpace::equal);
-    law.law.enforcement = Enforcement::multipliers;
-    Couple couple = pressed_disc("N2", slab("N2"), law, 0.8, 1.0);
-    couple.pair.take(duration);
-    sum.add(press_and_slide(std::move(couple), ++seed, 0.06, 0.3, {3e-4, 0.02, 0.1, -0.03}));
-  }
+  for (const Formula formula : formulas) sum.add(slide_by_law(with(formula), duration, seed));
   sum.expect({.states = 18, .stick = 50, .slip = 100});
 }
 
-TEST(FrictionFormula, TangentIsTheForcesDerivativeOfSolids) {
+TEST(SlipFormula, TangentIsTheForcesDerivativeOfSolids) {
   Random random(3);
   Census census;
   for (const Formula formula : formulas)

@@ -99,10 +99,10 @@ TEST(HistoryTransfer, OpenPointsBeginWithoutHistory) {
 }
 
 TEST(HistoryTransfer, WearIsCarriedAlsoByOpenPoints) {
-  symbolic::Graph graph(friction_variables());
+  symbolic::Graph graph(slip_variables());
   const int rate = graph.constant(0.1);
   InterfaceLaw wearing = law;
-  wearing.wear = {make_friction_formula({graph, rate})};
+  wearing.wear = {make_slip_formula({graph, rate})};
   Blocks old(9, 5, wearing), now(3, 8, wearing);
   for (const std::size_t i : old.all()) old.accepted.points[i].worn = 0.01 * old.contact->points().reference[i](0);
   recall(memories<2>(*old.contact, old.accepted, old.all()), *now.contact, now.all(), now.accepted);

@@ -73,4 +73,31 @@ inline Census press_and_slide(Couple couple, unsigned seed, double depth, double
   return census;
 }
 
+const std::vector<double> drags_of_laws{3e-4, 0.02, 0.1, -0.03};
+
+/// Presses and drags discs with a law, at points and with mortar, whole and in half passes, in the plane and revolved.
+inline Census press_by_law(const InterfaceLaw& law, double duration, unsigned& seed) {
+  Census census;
+  const auto press = [&](Couple couple) {
+    couple.pair.take(duration);
+    census.add(press_and_drag(std::move(couple), ++seed, 0.06, drags_of_laws));
+  };
+  for (const bool revolved : {false, true}) {
+    for (const Law& any : {Law(law), Law(law, {}, Pass::half)})
+      press(Couple("N2-N2.1", slab("N2"), any, 0.8, 1.0, revolved));
+    for (const Law& any : {Law(law, MultiplierSpace::equal), Law(law, MultiplierSpace::reduced, Pass::half)})
+      press(pressed_disc("N2", slab("N2"), any, 0.8, 1.0, revolved));
+  }
+  return census;
+}
+
+/// The same with multipliers as unknowns.
+inline Census slide_by_law(const InterfaceLaw& own, double duration, unsigned& seed) {
+  Law law(own, MultiplierSpace::equal);
+  law.law.enforcement = Enforcement::multipliers;
+  Couple couple = pressed_disc("N2", slab("N2"), law, 0.8, 1.0);
+  couple.pair.take(duration);
+  return press_and_slide(std::move(couple), ++seed, 0.06, 0.3, drags_of_laws);
+}
+
 } // namespace signorini::contact::test

@@ -16,11 +16,11 @@ using namespace test;
 
 using Formula = Term (*)(const Term& p, const Term& v, const Term& slip);
 
-std::shared_ptr<const FrictionFormula> formula_of(Formula formula) {
-  const auto graph = std::make_shared<symbolic::Graph>(friction_variables());
+std::shared_ptr<const SlipFormula> formula_of(Formula formula) {
+  const auto graph = std::make_shared<symbolic::Graph>(slip_variables());
   const auto variable = [&](int number) { return Term{graph, graph->variable(number)}; };
   const Term result = formula(variable(0), variable(1), variable(2));
-  return make_friction_formula({*graph, result.node});
+  return make_slip_formula({*graph, result.node});
 }
 Term number(const Term& p, const Term&, const Term&) {
   return p.constant(0.05);
@@ -49,11 +49,11 @@ std::vector<InterfaceLaw> laws() {
 
 /// Wear with friction that depends on the direction: in the plane by its sign, in space also on an ellipse.
 std::vector<InterfaceLaw> directed(int dimension) {
-  const auto graph = std::make_shared<symbolic::Graph>(friction_variables());
+  const auto graph = std::make_shared<symbolic::Graph>(slip_variables());
   const Term cosine{graph, graph->variable(7)};
   InterfaceLaw formula{normal, tangential, 1};
   const Term mu = 0.1 * cosine + 0.3;
-  formula.coefficient = make_friction_formula({*graph, mu.node});
+  formula.coefficient = make_slip_formula({*graph, mu.node});
   InterfaceLaw ellipse{normal, tangential, 0.4};
   ellipse.ellipse = Vec<2>(0.2, 0.4);
   std::vector<InterfaceLaw> list{formula};
@@ -186,32 +186,14 @@ TEST(Wear, TangentIsTheForcesDerivativeWhereFacesHaveWorn) {
 TEST(Wear, TangentIsTheForcesDerivativeInThePlane) {
   Census sum;
   unsigned seed = 0;
-  for (const InterfaceLaw& law : joined(laws(), directed(2)))
-    for (const bool revolved : {false, true}) {
-      for (const Law& any : {Law(law), Law(law, {}, Pass::half)}) {
-        Couple couple("N2-N2.1", slab("N2"), any, 0.8, 1.0, revolved);
-        couple.pair.take(duration);
-        sum.add(press_and_drag(std::move(couple), ++seed, 0.06, {3e-4, 0.02, 0.1, -0.03}));
-      }
-      for (const Law& any : {Law(law, MultiplierSpace::equal), Law(law, MultiplierSpace::reduced, Pass::half)}) {
-        Couple couple = pressed_disc("N2", slab("N2"), any, 0.8, 1.0, revolved);
-        couple.pair.take(duration);
-        sum.add(press_and_drag(std::move(couple), ++seed, 0.06, {3e-4, 0.02, 0.1, -0.03}));
-      }
-    }
+  for (const InterfaceLaw& law : joined(laws(), directed(2))) sum.add(press_by_law(law, duration, seed));
   sum.expect({.states = 150, .stick = 500, .slip = 1000});
 }
 
 TEST(Wear, TangentIsTheResidualsDerivativeWithMultipliers) {
   Census sum;
   unsigned seed = 0;
-  for (const InterfaceLaw& own : joined(laws(), directed(2))) {
-    Law law(own, MultiplierSpace::equal);
-    law.law.enforcement = Enforcement::multipliers;
-    Couple couple = pressed_disc("N2", slab("N2"), law, 0.8, 1.0);
-    couple.pair.take(duration);
-    sum.add(press_and_slide(std::move(couple), ++seed, 0.06, 0.3, {3e-4, 0.02, 0.1, -0.03}));
-  }
+  for (const InterfaceLaw& law : joined(laws(), directed(2))) sum.add(slide_by_law(law, duration, seed));
   sum.expect({.states = 18, .stick = 30, .slip = 100});
 }
 
