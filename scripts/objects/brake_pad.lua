@@ -84,16 +84,16 @@ sg.chart(curves)
 -- In long steps: where friction falls faster with the rate than the pad can spring back, p |dmu/dv| > K duration with
 -- the stiffness K of the pad per area, it sticks and slips, of which a quasi-static run knows nothing but the warning.
 local long_steps, long_travel = 8, 8
-local function by_speed(_, v) return kinetic + (static - kinetic) * sg.exp(-v / v0) end
+local function by_speed(v) return kinetic + (static - kinetic) * sg.exp(-v / v0) end
 local measured, exact, worst = {}, { x = {}, y = {} }, 0
 for i, speed in ipairs(options.speeds) do
   local force = slid(by_speed, long_steps, long_travel, long_travel / speed):contact_resultant "lining"
   measured[i] = math.abs(force.fx) / force.fy
-  worst = math.max(worst, math.abs(measured[i] / by_speed(nil, speed) - 1))
+  worst = math.max(worst, math.abs(measured[i] / by_speed(speed) - 1))
 end
 for i = 0, 60 do
   exact.x[i + 1] = 10 ^ (-2.3 + 3 * i / 60)
-  exact.y[i + 1] = by_speed(nil, exact.x[i + 1])
+  exact.y[i + 1] = by_speed(exact.x[i + 1])
 end
 print(("Drag over pressing force differs from mu(v) by at most %.1e"):format(worst))
 sg.chart{ file = files "speed.png", title = "Friction by speed", xlabel = "speed (mm/s)",

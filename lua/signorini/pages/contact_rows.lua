@@ -24,13 +24,14 @@ local static = t.named {
 rows.coefficient = { "mu", t.either(t.non_negative, t.callback, static, t.list(t.positive, 2)),
   [[Coulomb's coefficient of friction, tan of the angle of friction, not the angle; 0 for a contact whose friction
 begins in a later stage.
-function(p, v, slip, X, Y, Z, cosine) (those that it needs) that returns a formula, help "formulas", of the pressure p
-(force per area), the slip rate v (length per time; stages then need a duration), the slip since the touch, the
-reference position X, Y, Z of the slave point, and the cosine of the angle from `along` to the direction in which the
-slave slides over the master, in the plane 1 forward and -1 backward. { static, kinetic, over }: kinetic + (static -
-kinetic) exp(-s / over), s the slip since the point last stuck for a whole step. { mu1, mu2 }, in 3D: friction (t1, t2)
-along `along` and across it with (t1/mu1)^2 + (t2/mu2)^2 <= p^2, and slip along the normal of this ellipse. Where mu
-falls faster with the slip of a step than friction.penalty can follow, friction jumps, with a warning]] }
+function(p, v, slip, X, Y, Z, cosine) (those that it needs, by name, in any order) that returns a formula, help
+"formulas", of the pressure p (force per area), the slip rate v (length per time; stages then need a duration), the slip
+since the touch, the reference position X, Y, in 3D Z, of the slave point, and the cosine of the angle from `along` to
+the direction in which the slave slides over the master, in the plane 1 forward and -1 backward. { static, kinetic, over
+}: kinetic + (static - kinetic) exp(-s / over), s the slip since the point last stuck for a whole step. { mu1, mu2 }, in
+3D: friction (t1, t2) along `along` and across it with (t1/mu1)^2 + (t2/mu2)^2 <= p^2, and slip along the normal of this
+ellipse. Where mu falls faster with the slip of a step than friction.penalty can follow, friction jumps, with a
+warning]] }
 
 --- The axis of friction that depends on the direction of sliding.
 rows.along = { "along", t.point, [[direction in the reference configuration to which cosine of mu, or { mu1, mu2 },

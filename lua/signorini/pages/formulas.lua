@@ -19,7 +19,9 @@ end
 return {
   title = "Formulas", word = "formulas",
   { "symbol", [[An argument of a function that is called once to read its formula, as in sg.hyperelastic; numbers and
-symbols combine to formulas with + - * / ^ and the functions below. print(symbol) shows the formula.]] },
+symbols combine to formulas with + - * / ^ and the functions below. Functions of contacts, such as friction.mu, receive
+their arguments by name: their parameters are those that they need, in any order. Those of sg.hyperelastic and
+sg.rigid.level_set receive them by position. print(symbol) shows the formula.]] },
   page("log", "the natural logarithm", "sg.log(1)  --> 0.0"),
   page("exp", "the exponential function", "sg.exp(0)  --> 1.0"),
   page("sqrt", "the square root", "sg.sqrt(4)  --> 2.0"),

@@ -22,6 +22,9 @@ local region = t.callback_of({ { "X", t.numbers() } }, t.any)
 region.cure = "write a function of a reference position of the slave face, as in "
   .. "function(X) return X[1] <= 150 end"
 
+local law_of_gap = t.worded(t.callback, "a function")
+law_of_gap.cure = "write a formula, as in function(g) return k * sg.max(0, -g) ^ m end; a constant stiffness is penalty"
+
 local contact = {
   "Most used:",
   { "slave", slave, [[face over which contact is integrated; pressures are computed at its contact points. Use the finer
@@ -40,10 +43,10 @@ penalty over-constrains the face. Mortar contact needs 8 ("reduced": 6) at any p
 penalty decreases: model:contact_resultant(name).max_penetration. With enforcement = "multipliers" it affects
 results by the discretization error alone; it is then 10 E / h by default, h of the softer body]],
     unit = "pressure per length", otherwise = "from material and mesh" },
-  { "pressure", t.callback, [[function(g, X, Y, Z) (those that it needs) that returns a formula, help "formulas",
-of the gap g and the reference position of the slave point, in place of the penalty: the pressure below `clearance`,
-which falls to 0 there as the gap grows. Soft layers and rough faces have p = k (-g)^m; sg.max(0, …) cuts a formula
-off. Where it pulls, at p < 0, it is adhesion, with per = "reference". For enforcement = "penalty"]],
+  { "pressure", law_of_gap, [[function(g, X, Y, Z) (those that it needs, by name) that returns a formula, help
+"formulas", of the gap g and the reference position of the slave point, in place of the penalty: the pressure below
+`clearance`, which falls to 0 there as the gap grows. Soft layers and rough faces have p = k (-g)^m; sg.max(0, …) cuts a
+formula off. Where it pulls, at p < 0, it is adhesion, with per = "reference". For enforcement = "penalty"]],
     unit = "force per area", optional = true },
   { "clearance", t.either(t.number, t.choice { "none" }), 'gap below which `pressure` acts; "none": at any gap',
     unit = "length", otherwise = "0" },

@@ -1,10 +1,11 @@
--- Formulas of the user in elastic laws, level sets and coefficients of friction: a function is called once with
--- symbols, and its formula is compiled.
+-- Formulas of the user in elastic laws, level sets and contacts: a function is called once with symbols, and its
+-- formula is compiled.
 
 local core = require "signorini.core"
 local check = require "signorini.call.check"
 local counted = require("signorini.call.text").counted
 local lists = require "signorini.call.lists"
+local meant = require("signorini.call.text").meant
 local named = require "signorini.call.named"
 
 local formula = {}
@@ -18,12 +19,16 @@ local function cure(message)
 end
 
 --- The formula that a function of symbols returns; `where`: the function that the user has called, `name`: the argument
---- that holds the function.
-local function formula_of(where, name, f, symbols)
+--- that holds the function; `first`: the first variable that it can have; `or_number`: the argument can be a number.
+local function formula_of(where, name, f, symbols, first, or_number)
   local ok, result = pcall(f, table.unpack(symbols))
   if not ok then error(type(result) == "string" and result .. cure(result) or result, 0) end
   if type(result) == "number" then
-    core.fail(("%s: %s must return a formula of its arguments, got the number %s"):format(where, name, result))
+    local hint = math.abs(result) < math.huge and "let it depend on " .. tostring(first or symbols[1])
+      or "look for a division by zero"
+    if or_number and math.abs(result) < math.huge then hint = ("write %s = %s"):format(name:match "%w+$", result) end
+    core.fail(("%s: %s must return a formula of its arguments, got the number %s. Hint: %s"):format(where, name, result,
+      hint))
   end
   if core.kind(result) ~= "symbol" then
     check.reject(where, "the result of " .. name, "a formula of its arguments", result,
@@ -76,6 +81,37 @@ function formula.level_set(values)
   return core.level_set{ f = formula_of(where, "f", values.f, symbols), low = low, high = high }
 end
 
+--- The symbols that a function of a contact receives: those of its parameters, by name; all, in order, where the names
+--- are not known, as of a function that string.dump has stripped.
+local function arguments_of(name, f, symbols)
+  local about, names = debug.getinfo(f, "u"), lists.map(symbols, tostring)
+  local known = table.concat(names, ", ")
+  if about.isvararg then
+    core.fail(("sg.model: %s must name its parameters, but takes any number of them. Hint: write function(%s), with "
+      .. "those that it needs of %s"):format(name, names[1], known))
+  end
+  local given = {}
+  for i = 1, about.nparams do
+    local parameter = debug.getlocal(f, i)
+    if not parameter then
+      check_parameters("sg.model", name, f, symbols, true, "write those that it uses, in this order")
+      return symbols
+    end
+    given[i] = lists.filter(symbols, function(symbol) return tostring(symbol) == parameter end)[1]
+    if not given[i] then
+      local hint = meant(parameter, names)
+      core.fail(("sg.model: %s has an unknown parameter '%s'%s known: %s. Hint: write those that it needs, by name, in "
+        .. "any order"):format(name, parameter, hint == "" and ";" or hint, known))
+    end
+  end
+  return given
+end
+
+--- The formula of a function of a contact.
+local function contact_formula(name, f, symbols, or_number)
+  return formula_of("sg.model", name, f, arguments_of(name, f, symbols), symbols[1], or_number)
+end
+
 -- As slip_variables() of src/contact/law/slip_formula.cpp; users have all but `recent`.
 local friction_names = { "p", "v", "slip", "X", "Y", "Z", "recent", "cosine" }
 
@@ -85,30 +121,23 @@ function formula.friction(name, mu)
   if type(mu) == "table" then
     return mu.kinetic + (mu.static - mu.kinetic) * core.sg.exp(-symbols[7] / mu.over)
   end
-  local given = table.move(symbols, 1, 6, 1, { [7] = symbols[8] })
-  check_parameters("sg.model", name, mu, given, true, "write those that it uses, in this order")
-  return formula_of("sg.model", name, mu, given)
+  return contact_formula(name, mu, table.move(symbols, 1, 6, 1, { [7] = symbols[8] }), true)
 end
 
 --- The formula of a rate of wear.
 function formula.wear(name, rate)
-  local symbols = table.move(core.symbols(friction_names), 1, 6, 1, {})
-  check_parameters("sg.model", name, rate, symbols, true, "write those that it uses, in this order")
-  return formula_of("sg.model", name, rate, symbols)
+  return contact_formula(name, rate, table.move(core.symbols(friction_names), 1, 6, 1, {}), true)
 end
 
 --- The formula of a pressure.
 function formula.pressure(name, f)
-  local symbols = core.symbols { "g", "X", "Y", "Z" }
-  check_parameters("sg.model", name, f, symbols, true, "write function(g) or function(g, X, Y, Z)")
-  return formula_of("sg.model", name, f, symbols)
+  return contact_formula(name, f, core.symbols { "g", "X", "Y", "Z" })
 end
 
 --- A constant of bonds that may be a function of the mode mix: its formula, and its values at m = 0, 0.1, … 1.
 local function by_mix(name, value, mix)
   if type(value) == "number" then return value, function() return value end end
-  check_parameters("sg.model", name, value, { mix }, false, "write function(m)")
-  local made = formula_of("sg.model", name, value, { mix })
+  local made = contact_formula(name, value, { mix }, true)
   for k = 0, 10 do
     local m = k / 10
     local at = value(m)
@@ -122,11 +151,7 @@ end
 --- The formula of the traction of bonds: of a function, or of strength and energy as functions of the mode mix.
 function formula.cohesion(name, bond)
   local sg, u, m = core.sg, table.unpack(core.symbols { "u", "m" })
-  if bond.traction then
-    local where = name .. ".traction"
-    check_parameters("sg.model", where, bond.traction, { u, m }, true, "write function(u) or function(u, m)")
-    return formula_of("sg.model", where, bond.traction, { u, m })
-  end
+  if bond.traction then return contact_formula(name .. ".traction", bond.traction, { u, m }) end
   local energy, energy_at = by_mix(name .. ".energy", bond.energy, m)
   local strength, strength_at = by_mix(name .. ".strength", bond.strength, m)
   if bond.law == "exponential" then

@@ -7,9 +7,9 @@ require "check"
 local clearance = 0.003
 local laws = {
   { "mu of the pressure", mu = function(p) return 0.2 + 0.2 * sg.exp(-p) end },
-  { "mu of the rate", mu = function(_, v) return 0.3 + 0.1 * sg.tanh(v) end },
-  { "mu of the slip", mu = function(_, _, slip) return 0.3 + 2 * slip end },
-  { "mu of the place", mu = function(_, _, _, X) return 0.3 + 0.1 * X end },
+  { "mu of the rate", mu = function(v) return 0.3 + 0.1 * sg.tanh(v) end },
+  { "mu of the slip", mu = function(slip) return 0.3 + 2 * slip end },
+  { "mu of the place", mu = function(X) return 0.3 + 0.1 * X end },
   { "static and kinetic", mu = { static = 0.4, kinetic = 0.25, over = 0.1 } },
   { "pressure of the gap", mu = 0.3, pressure = function(g) return 2e4 * sg.max(0, clearance - g) ^ 2 end },
 }

@@ -86,7 +86,7 @@ check.case("at each point friction is on the ellipse, and its coefficient that o
   check.equal(slipping > 20, true)
 end)
 
-local function turning(_, _, _, _, _, _, cosine) return 0.3 + 0.1 * cosine + 0.05 * cosine ^ 2 end
+local function turning(cosine) return 0.3 + 0.1 * cosine + 0.05 * cosine ^ 2 end
 
 for _, name in ipairs { "points", "multipliers" } do
   check.case("a formula of the cosine: " .. name, function()
@@ -121,7 +121,7 @@ end)
 
 -- ── In the plane ─────────────────────────────────────────────────────────────────────────────────────────────────────
 
-local function both_ways(_, _, _, _, _, _, cosine) return 0.3 + 0.1 * cosine end
+local function both_ways(cosine) return 0.3 + 0.1 * cosine end
 
 check.case("friction forward and backward", function()
   for _, keys in pairs(formulations) do

@@ -23,8 +23,8 @@ local formulations = { points = {}, mortar = { method = "mortar" },
 local laws = {
   number = { 0.3, function() return 0.3 end },
   pressure = { function(p) return 0.1 + 0.2 * sg.exp(-p) end, function(p) return 0.1 + 0.2 * math.exp(-p) end },
-  place = { function(_, _, _, X) return 0.2 + 0.1 * X end, function(_, _, X) return 0.2 + 0.1 * X end },
-  slip = { function(_, _, slip) return 0.3 + 0.1 * slip end, function(_, slip) return 0.3 + 0.1 * slip end },
+  place = { function(X) return 0.2 + 0.1 * X end, function(_, _, X) return 0.2 + 0.1 * X end },
+  slip = { function(slip) return 0.3 + 0.1 * slip end, function(_, slip) return 0.3 + 0.1 * slip end },
 }
 for name, law in pairs(laws) do
   for _, formulation in ipairs { "points", "multipliers" } do
@@ -50,7 +50,7 @@ check.case("friction by the rate of slip in steady sliding: all points slip with
   local velocity = 0.1 / slide.duration
   local mu = 0.3 + 0.1 * math.exp(-velocity / 0.2)
   for name, keys in pairs(formulations) do
-    local model = block(function(_, v) return 0.3 + 0.1 * sg.exp(-v / 0.2) end, keys)
+    local model = block(function(v) return 0.3 + 0.1 * sg.exp(-v / 0.2) end, keys)
     check.equal(model:run({ press, slide }).reason, "completed")
     local force = model:contact_resultant "floor"
     check.near(-force.fx / force.fy, mu, name == "points" and 1e-6 or 1e-5)
@@ -144,7 +144,7 @@ end)
 -- ── Time ─────────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 check.case("time: column of a run, roll-back, cut steps, continuation", function()
-  local mu = function(_, v) return 0.3 + 0.1 * sg.exp(-v / 0.2) end
+  local mu = function(v) return 0.3 + 0.1 * sg.exp(-v / 0.2) end
   local model = block(mu)
   local run = model:run({ press, slide })
   local times = { 0.5, 1, 1.2, 1.4, 1.6, 1.8, 2, 2.2, 2.4, 2.6, 2.8, 3 }
@@ -179,6 +179,18 @@ check.case("a saved model has formula, slips and time", function()
   check.equal(loaded:contact_resultant "floor".fx, model:contact_resultant "floor".fx)
 end)
 
+check.case("a function receives its arguments by name, where its names are not known by position", function()
+  local function law(slip, p) return 0.2 + 0.01 * p + 0.3 * slip end
+  local by_place = load(string.dump(function(p, _, slip) return 0.2 + 0.01 * p + 0.3 * slip end, true))
+  local expected = block(function(p, slip) return 0.2 + 0.01 * p + 0.3 * slip end):contact_law "floor".mu_formula
+  check.equal(block(law):contact_law "floor".mu_formula, expected)
+  check.equal(block(by_place):contact_law "floor".mu_formula, expected)
+  local function idle(p, cosine, Z) return 0.1 + p + 0 * cosine + 0 * Z end
+  check.equal(block(idle):contact_law "floor".mu_formula, "p + 0.1")
+  check.fails(function() block(load(string.dump(function(a, b, c, d, e, f, g, h) return a end, true))) end,
+    "contacts.floor.friction.mu must take 7 arguments")
+end)
+
 -- ── Warnings and errors ──────────────────────────────────────────────────────────────────────────────────────────────
 
 check.case("a warning where friction jumps or mu is negative, and none otherwise", function()
@@ -196,7 +208,7 @@ check.case("what is refused", function()
   local function refused(mu, keys, path, options, ...)
     check.fails(function() block(mu, keys):run(path or { press }, options) end, ...)
   end
-  local function rate(_, v) return 0.1 + v end
+  local function rate(v) return 0.1 + v end
   refused(rate, {}, { { name = "slide", steps = 1, top = {0.1, 0} } }, {}, "model:run: contacts.floor.friction.mu "
     .. "depends on v, but stage 'slide' has no duration. Hint: write duration = its length in time")
   refused(0.1, {}, nil, { arc_length = true }, "stages[1] has a duration, but arc_length = true")

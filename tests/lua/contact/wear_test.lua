@@ -98,7 +98,7 @@ end)
 
 check.case("a saved model goes on with its wear", function()
   for _, keys in pairs(formulations) do
-    local model = block({ rate = function(p, _, slip) return 0.02 + 0.01 * p + 0.1 * slip end }, true, keys)
+    local model = block({ rate = function(slip, p) return 0.02 + 0.01 * p + 0.1 * slip end }, true, keys)
     model:run{ { name = "press", steps = 1, top = -0.001 }, { name = "slide", steps = 4, disc = 1 } }
     local loaded = check.reloaded(model)
     check.equal(loaded:profile "floor".worn, model:profile "floor".worn)
@@ -124,7 +124,7 @@ check.case("what is refused, and a warning of a negative rate", function()
   refused({ rate = function() return 1 end }, nil, "contacts.floor.wear.rate must return a formula of its arguments")
   refused({ rate = 1 }, { adhesion = { hamaker = 1, r0 = 1 } }, "it has both adhesion and")
   refused({ rate = 1 }, { cohesive = { strength = 1, energy = 1 } }, "it has both cohesive and wear")
-  local model = block({ rate = function(_, v) return 0.1 * v end }, true)
+  local model = block({ rate = function(v) return 0.1 * v end }, true)
   check.fails(function() model:run{ { name = "press", steps = 1, top = -0.001 } } end,
     "model:run: contacts.floor.wear.rate depends on v, but stage 'press' has no duration")
   local run = block({ rate = function(p) return 0.01 - p end }, true):run{
