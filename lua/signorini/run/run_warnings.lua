@@ -159,6 +159,9 @@ local flaws = {
     .. "tangential penalty can follow: results depend on the steps. Hint: raise friction.penalty, or let mu fall over "
     .. "a longer slip",
   negative = "the formula of mu is negative, which counts as 0. Hint: cut it off with sg.max(0, …)",
+  undefined = "the formula of friction.mu is not a finite number. Hint: let it be finite at every pressure and slip",
+  ["undefined wear"] = "the formula of wear.rate is not a finite number. Hint: let it be finite at every pressure and "
+    .. "slip",
   ["negative wear"] = "the formula of wear.rate is negative, which counts as 0. Hint: cut it off with sg.max(0, …)",
 }
 

@@ -145,7 +145,7 @@ template <int D> int contact_resultant(const model::Model<D>& model, const std::
   if (formulation.parameters().by_formula()) {
     const auto& counters = formulation.counters;
     set_count("flawed", "flawed_at", counters.flawed, [&] { return counters.flawed_at; });
-    constexpr const char* flaws[] = {"none", "jumps", "negative", "negative wear"};
+    constexpr const char* flaws[] = {"none", "jumps", "negative", "negative wear", "undefined", "undefined wear"};
     if (counters.flawed > 0) set_field(L, "flaw", flaws[static_cast<std::size_t>(counters.flaw)]);
   }
   set_count("unsettled", "unsettled_at", formulation.counters.unsettled,

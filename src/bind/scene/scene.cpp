@@ -5,6 +5,7 @@
 #include "bind/scene/symbols.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace signorini::bind {
@@ -48,8 +49,8 @@ contact::MultiplierSpace read_multipliers(const Arguments& a) {
   return choice<contact::MultiplierSpace>(a.get<std::string>("multipliers"), {"equal", "reduced", "linear"});
 }
 
-/// A formula that a function of signorini.scene.formula makes of an argument.
-const Symbol& read_formula(const Arguments& a, const char* key, const char* maker) {
+/// A formula that a function of signorini.scene.formula makes of an argument of a contact.
+const Symbol& read_formula(const Arguments& a, const char* key, const char* maker, int dimension) {
   lua_State* L = a.state();
   push_require(L);
   lua_pushliteral(L, "signorini.scene.formula");
@@ -58,15 +59,27 @@ const Symbol& read_formula(const Arguments& a, const char* key, const char* make
   push(L, a.name(key));
   a.push(key);
   lua_call(L, 2, 1);
-  return read_object<Symbol>(L, -1, {"a formula"});
+  const Symbol& made = read_object<Symbol>(L, -1, {"a formula"});
+  const symbolic::Graph& graph = *made.graph;
+  for (const int node : symbolic::needed_for(graph, {made.node})) {
+    require(!graph.is_constant(node) || std::isfinite(graph[node].value), a.name(key), " contains the number ",
+            graph[node].value, ", but a formula must be finite. Hint: look for a division by zero");
+    require(dimension == 3 || node >= std::ssize(graph.variables()) || graph.variables()[node] != "Z", a.name(key),
+            " depends on Z, but a plane model has X and Y alone");
+  }
+  return made;
 }
 
-contact::Cohesion read_cohesion(const Arguments& contact, double penalty) {
+contact::Cohesion read_cohesion(const Arguments& contact, int dimension, double penalty) {
   const Arguments a = contact.table("cohesive");
   const double shear = a.get<double>("shear");
   if (a.has("traction") || a.is("energy", LUA_TFUNCTION) || a.is("strength", LUA_TFUNCTION) || shear != 1) {
-    const Symbol& traction = read_formula(contact, "cohesive", "cohesion");
-    return contact::cohesive(contact::make_cohesion_formula({*traction.graph, traction.node}, shear));
+    const Symbol& traction = read_formula(contact, "cohesive", "cohesion", dimension);
+    try {
+      return contact::cohesive(contact::make_cohesion_formula({*traction.graph, traction.node}, shear));
+    } catch (const Error& error) {
+      contact.fail(worded(error));
+    }
   }
   contact::Cohesion cohesion{a.get<double>("strength"), a.get<double>("energy")};
   cohesion.softening = choice<contact::Softening>(a.get<std::string>("law"), {"exponential", "bilinear"});
@@ -92,13 +105,13 @@ void read_coefficient(const Arguments& friction, int dimension, contact::Interfa
     law.friction = law.ellipse->maxCoeff();
     return;
   }
-  const Symbol& mu = read_formula(friction, "mu", "friction");
+  const Symbol& mu = read_formula(friction, "mu", "friction", dimension);
   law.friction = 1;
   law.coefficient = contact::make_slip_formula({*mu.graph, mu.node});
 }
 
 /// k of wear: a number, or a formula.
-contact::Wear read_wear(const Arguments& wear) {
+contact::Wear read_wear(const Arguments& wear, int dimension) {
   contact::Wear law;
   law.update = choice<contact::WearUpdate>(wear.get<std::string>("update"), {"implicit", "explicit"});
   if (wear.is("rate", LUA_TNUMBER)) {
@@ -106,7 +119,7 @@ contact::Wear read_wear(const Arguments& wear) {
     const int rate = graph.constant(wear.get<double>("rate"));
     law.rate = contact::make_slip_formula({graph, rate});
   } else {
-    const Symbol& rate = read_formula(wear, "rate", "wear");
+    const Symbol& rate = read_formula(wear, "rate", "wear", dimension);
     law.rate = contact::make_slip_formula({*rate.graph, rate.node});
   }
   return law;
@@ -119,7 +132,7 @@ contact::Method read_method(const Arguments& a, int dimension) {
   }
   contact::InterfaceLaw law{a.get("penalty", 0.0)};
   if (a.has("pressure")) {
-    const Symbol& pressure = read_formula(a, "pressure", "pressure");
+    const Symbol& pressure = read_formula(a, "pressure", "pressure", dimension);
     const double clearance =
         a.is("clearance", LUA_TSTRING) ? std::numeric_limits<double>::infinity() : a.get("clearance", 0.0);
     law.pressure = contact::make_pressure_formula({*pressure.graph, pressure.node}, clearance);
@@ -129,11 +142,11 @@ contact::Method read_method(const Arguments& a, int dimension) {
     read_coefficient(friction, dimension, law);
     law.tangential = friction.get("penalty", 0.0);
   }
-  if (a.has("wear")) law.wear = read_wear(a.table("wear"));
+  if (a.has("wear")) law.wear = read_wear(a.table("wear"), dimension);
   law.enforcement = choice<contact::Enforcement>(a.get<std::string>("enforcement"), {"penalty", "multipliers"});
   if (a.has("cohesive")) {
     law.per = contact::TractionArea::reference;
-    return {law, {}, contact::Pass::full, read_cohesion(a, law.normal)};
+    return {law, {}, contact::Pass::full, read_cohesion(a, dimension, law.normal)};
   }
   enum class Points { gauss, half_passes, mortar };
   const auto points = choice<Points>(a.get<std::string>("method"), {"gpts", "half_passes", "mortar"});

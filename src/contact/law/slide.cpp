@@ -98,6 +98,7 @@ Slide<N> slide(const InterfaceLaw& law, const Vec<N>& trial, double pressure, Fi
   double limit = onset.value * p;
   if (law.coefficient && onset.value == 0 && (*law.coefficient)(p, 0, here).value < 0)
     result.flaw = FrictionFlaw::negative;
+  if (!std::isfinite(onset.value) && std::isfinite(magnitude)) result.flaw = FrictionFlaw::undefined;
   // (ε_T + μ ε_N) |tie|: change of |t| − μ p due to an error |tie| of gap and slip, below which the direction of the
   // friction is undefined
   const double error = (law.tangential + onset.value * law.normal) * tie;
@@ -119,6 +120,7 @@ Slide<N> slide(const InterfaceLaw& law, const Vec<N>& trial, double pressure, Fi
     const Coefficient mu = coefficient(law, p, result.slipped, here);
     const double stiffness = law.tangential + p * mu.of_slip;
     if (law.tangential + p * onset.of_slip <= 0 || stiffness <= 0) result.flaw = FrictionFlaw::jumps;
+    if (!is_finite(mu)) result.flaw = FrictionFlaw::undefined;
     result.mu = mu.value;
     limit = p * mu.value;
     share = 1 - law.tangential / stiffness;

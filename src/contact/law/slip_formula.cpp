@@ -1,6 +1,7 @@
 #include "contact/law/slip_formula.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace signorini::contact {
@@ -13,6 +14,11 @@ enum Variable { p, v, slip_so_far, x, y, z, recent, cosine, variables };
 
 std::vector<std::string> slip_variables() {
   return {"p", "v", "slip", "X", "Y", "Z", "recent", "cosine"};
+}
+
+bool is_finite(const Coefficient& coefficient) {
+  const auto& [value, of_pressure, of_slip, of_cosine] = coefficient;
+  return std::isfinite(value) && std::isfinite(of_pressure) && std::isfinite(of_slip) && std::isfinite(of_cosine);
 }
 
 Coefficient SlipFormula::operator()(double pressure, double slip, const Interface& at) const {

@@ -16,6 +16,8 @@ struct Coefficient {
   double value, of_pressure, of_slip, of_cosine = 0;
 };
 
+bool is_finite(const Coefficient& coefficient);
+
 /// Copies of a law share it.
 struct SlipFormula {
   symbolic::Formula formula; ///< of slip_variables()

@@ -18,8 +18,9 @@ constexpr bool touches(ContactState state) {
 enum class FixedContactState : unsigned char { free, open, touching, stick };
 
 /// What is wrong with a formula of friction or wear at a point: friction jumps at the onset of slip, since it falls
-/// faster than its spring can follow; or the coefficient or the rate of wear is negative, and counts as 0.
-enum class FrictionFlaw : unsigned char { none, jumps, negative, grows };
+/// faster than its spring can follow; the coefficient or the rate of wear is negative, and counts as 0; or it is not a
+/// finite number.
+enum class FrictionFlaw : unsigned char { none, jumps, negative, grows, undefined, undefined_wear };
 
 /// "open", "stick", "slip", "adhesion", "bonded".
 constexpr const char* name_of(ContactState state) {

@@ -25,6 +25,8 @@ Depth<N> depth_at(const InterfaceLaw& law, double pressure, const Vec<N>& trial,
     depth.slide.flaw = FrictionFlaw::grows;
     return depth;
   }
+  if (!is_finite(k) && std::isfinite(pressure) && std::isfinite(depth.slide.slipped))
+    depth.slide.flaw = FrictionFlaw::undefined_wear;
   const double slipped = depth.slide.slipped;
   depth.value = k.value * pressure * slipped;
   // ε_T Δγ = |t* − t|:  δΔγ = m·(δt* − δt)/ε_T,  m the direction of slip

@@ -118,6 +118,33 @@ template <int D> void add_debonding(Diagnosis& diagnosis, const Model<D>& model,
   }
 }
 
+/// Replaces the reasons by the first contact whose formula of friction or wear is not a finite number, if there is one.
+template <int D> bool find_undefined_law(Diagnosis& diagnosis, const Model<D>& model) {
+  using contact::FrictionFlaw;
+  const auto is_undefined = [](const auto& result) {
+    return result.flaw == FrictionFlaw::undefined || result.flaw == FrictionFlaw::undefined_wear;
+  };
+  for (std::size_t k = 0; k < model.system.contacts.size(); ++k) {
+    const contact::History<D>& history = model.present.contacts[k];
+    const contact::Formulation<D>& contact = *model.system.contacts[k];
+    const auto add = [&](FrictionFlaw flaw, std::size_t i) {
+      diagnosis.messages = {Message("model.diagnosis.undefined",
+                                    {{"contact", model.system.scene.contacts[k].name},
+                                     {"argument", flaw == FrictionFlaw::undefined ? "friction.mu" : "wear.rate"},
+                                     {"place", contact.points().reference[i]}})};
+      diagnosis.remedies = {Message("model.remedy.undefined")};
+      return true;
+    };
+    const auto point = std::ranges::find_if(history.results, is_undefined);
+    const auto multiplier = std::ranges::find_if(history.multiplier_results, is_undefined);
+    if (point != history.results.end())
+      return add(point->flaw, static_cast<std::size_t>(point - history.results.begin()));
+    if (multiplier != history.multiplier_results.end())
+      return add(multiplier->flaw, contact.multipliers()->points[multiplier - history.multiplier_results.begin()]);
+  }
+  return false;
+}
+
 /// A failed step and the controls that are on.
 template <int D> struct Failure {
   const Model<D>& model;
@@ -250,6 +277,7 @@ template <int D> Diagnosis diagnose(const Model<D>& model, const solve::NewtonRe
   if (diagnosis.places.empty()) diagnosis.places = diagnosis.unbalanced;
   if (reason.debonding) add_debonding(diagnosis, model, on);
   if (reason.stiffness) add_stiffness(diagnosis, model);
+  if (find_undefined_law(diagnosis, model)) return diagnosis;
   // If friction cannot balance the loads on a body, that is the reason, and no other.
   if (Message exhausted = exhausted_friction(model); !exhausted.code.empty()) {
     diagnosis.friction_exhausted = true;

@@ -204,6 +204,16 @@ check.case("a warning where friction jumps or mu is negative, and none otherwise
   check.equal(warned(function(p) return 0.1 + p * 0.01 end, "negative"), false)
 end)
 
+check.case("a run whose mu is not finite names contact and argument", function()
+  for _, keys in pairs(formulations) do
+    local model = block(function(slip) return 0.3 + sg.sqrt(0.02 - slip) end, keys)
+    local run = model:run({ press, { name = "slide", steps = 4, top = {0.1, -0.005}, duration = 1 } }, sg.plain{})
+    check.equal(run.failed, true)
+    check.holds(run.failure, "the formula of contacts.floor.friction.mu is not a finite number at X = (",
+      "Hint: let the formula be finite")
+  end
+end)
+
 check.case("what is refused", function()
   local function refused(mu, keys, path, options, ...)
     check.fails(function() block(mu, keys):run(path or { press }, options) end, ...)
@@ -215,8 +225,13 @@ check.case("what is refused", function()
   refused(function() return 0.3 end, {}, nil, nil,
     "contacts.floor.friction.mu must return a formula of its arguments, got the number 0.3")
   refused(function() end, {}, nil, nil, "write return before the formula")
-  refused(function(a, b, c, d, e, f, g, h) return a + b + c + d + e + f + g + h end, {}, nil, nil,
-    "contacts.floor.friction.mu must take 7 arguments")
+  refused(function(p, slips) return p + slips end, {}, nil, nil, "contacts.floor.friction.mu has an unknown parameter "
+    .. "'slips'; did you mean 'slip'? known: p, v, slip, X, Y, Z, cosine")
+  refused(function(_, v) return 0.1 * v end, {}, nil, nil, "unknown parameter '_'; known")
+  refused(function(...) return 0.1 + ... end, {}, nil, nil, "contacts.floor.friction.mu must name its parameters")
+  refused(function(cosine) return 0.3 + 0.1 * cosine end, {}, nil, nil, "depends on the direction of sliding")
+  refused(function(p, Z) return 0.1 + p + Z end, {}, nil, nil,
+    "contacts.floor.friction.mu depends on Z, but a plane model has X and Y")
   refused({ static = 0.2, kinetic = 0.3, over = 1 }, {}, nil, nil, "static = 0.2 is less than kinetic = 0.3")
   refused(function(p) return 0.1 + p end, {}, { { steps = 1, contacts = { floor = { friction = { mu = 0 } } } } }, nil,
     "the mu of contacts.floor is a formula")

@@ -127,6 +127,9 @@ check.case("what is refused, and a warning of a negative rate", function()
   local model = block({ rate = function(v) return 0.1 * v end }, true)
   check.fails(function() model:run{ { name = "press", steps = 1, top = -0.001 } } end,
     "model:run: contacts.floor.wear.rate depends on v, but stage 'press' has no duration")
+  local failed = block({ rate = function(slip) return 0.01 * sg.sqrt(0.3 - slip) end }, true):run({
+    { name = "press", steps = 1, top = -0.001 }, { name = "slide", steps = 4, disc = 1 } }, sg.plain{})
+  check.holds(failed.failure, "the formula of contacts.floor.wear.rate is not a finite number at X = (")
   local run = block({ rate = function(p) return 0.01 - p end }, true):run{
     { name = "press", steps = 1, top = -0.001 }, { name = "slide", steps = 2, disc = 1 } }
   check.equal(lists.any(run.warnings, function(text)
