@@ -153,7 +153,9 @@ TEST(CohesionFormula, ErrorsNameOpeningAndValue) {
   const auto refuses = [](Formula formula, const char* message) { EXPECT_ERROR(made(formula), message); };
   refuses([](const Term& u, const Term&) { return u - 2.0 * power(u, 2); }, "contact.cohesion.negative: opening = ");
   refuses([](const Term& u, const Term&) { return exponential_of(-1.0 * u); },
-          "contact.cohesion.slope: mix = 0, value = -1");
+          "contact.cohesion.start: mix = 0, value = 1");
+  refuses([](const Term& u, const Term&) { return -1.0 * u * exponential_of(-1.0 * u); },
+          "contact.cohesion.slope: value = -1");
   refuses([](const Term& u, const Term&) { return (u + 0.1) * exponential_of(-1.0 * u); }, "contact.cohesion.start");
   refuses([](const Term& u, const Term&) { return power(u, 0.5) * exponential_of(-1.0 * u); },
           "contact.cohesion.slope");
@@ -161,9 +163,20 @@ TEST(CohesionFormula, ErrorsNameOpeningAndValue) {
           "contact.cohesion.secant");
   refuses([](const Term& u, const Term&) { return u * power(u + 1, -2); }, "contact.cohesion.area");
   refuses([](const Term& u, const Term& m) { return (m + 1) * u * exponential_of(-1.0 * u); },
-          "contact.cohesion.slope: mix = 0.05, value = 1.05, first = 1");
+          "contact.cohesion.mixed_slope: mix = 0.05, value = 1.05, first = 1");
   refuses([](const Term& u, const Term& m) { return u * exponential_of(-1.0 * (power(m, 0.5) + 1) * u); },
           "contact.cohesion.finite: opening = ");
+}
+
+TEST(CohesionFormula, StiffnessIsTheSlopeAboveZero) {
+  // max(0, K u (1 − u)) has a corner at u = 0.
+  const auto law = made([](const Term& u, const Term&) {
+    const Term rise = stiff * u * (u.constant(1) - u);
+    return 0.5 * (rise + absolute(rise));
+  });
+  EXPECT_DOUBLE_EQ(law->stiffness, stiff);
+  EXPECT_NEAR(law->left(0.25, 0).value, 0.75, 1e-15);
+  EXPECT_NEAR(law->rest(0, 0), stiff / 6, 1e-9 * stiff);
 }
 
 TEST(CohesionFormula, FacesWithALawByFormulaAreThoseOfTheLaw) {

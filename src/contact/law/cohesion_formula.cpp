@@ -22,6 +22,8 @@ constexpr double integral_tolerance = 1e-14;
 constexpr double far_opening = 1e8, least_fall = 1e-6, nearly_infinite = 1e-12;
 /// Rounding error of a fraction that is left, relative to it.
 constexpr double root_rounding = 1e-15;
+/// An opening at which the slope is its limit u → 0: at u = 0 itself max and min take the mean of both sides.
+constexpr double first_opening = 1e-200;
 /// Damage that is rounding error.
 constexpr double least_damage = 1e-12;
 
@@ -36,6 +38,11 @@ std::array<double, 3> values(const symbolic::Tape& tape, double opening, double 
   for (std::size_t k = 0; k < 3; ++k)
     if (static_cast<int>(k) < outputs && tape.outputs[k] >= 0) found[k] = registers[tape.outputs[k]];
   return found;
+}
+
+/// T_u for u → 0.
+double first_slope(const symbolic::Tape& tape, double mix) {
+  return values(tape, first_opening, mix)[1];
 }
 
 /// ∫ f dx from a to b by Gauss–Lobatto's rule with 8 points, whose ends see every kink, in halves until two of them
@@ -80,10 +87,11 @@ double tolerance(const CohesionFormula& law) {
 }
 
 void check_at(const CohesionFormula& law, double mix) {
-  const auto [start, slope, by_mix] = values(law.tape, 0, mix);
-  require(std::isfinite(start) && std::isfinite(slope) && std::isfinite(by_mix), "contact.cohesion.finite",
+  const auto [start, rate, by_mix] = values(law.tape, 0, mix);
+  require(std::isfinite(start) && std::isfinite(rate) && std::isfinite(by_mix), "contact.cohesion.finite",
           {{"opening", 0.0}, {"mix", mix}, {"value", start}});
-  require(std::abs(slope - law.stiffness) <= cohesion_rounding * law.stiffness, "contact.cohesion.slope",
+  const double slope = first_slope(law.tape, mix);
+  require(std::abs(slope - law.stiffness) <= cohesion_rounding * law.stiffness, "contact.cohesion.mixed_slope",
           {{"mix", mix}, {"value", slope}, {"first", law.stiffness}});
   const double scale = law.stiffness * law.length;
   require(std::abs(start) <= cohesion_rounding * scale, "contact.cohesion.start", {{"mix", mix}, {"value", start}});
@@ -179,10 +187,12 @@ std::shared_ptr<const CohesionFormula> make_cohesion_formula(symbolic::Formula f
   made->mixed = !graph.is_constant(by_mix, 0);
   made->tape = symbolic::compile(graph, {node, by_opening, by_mix}, false);
   require(std::isfinite(shear) && shear > 0, "contact.cohesion.shear", {{"value", shear}});
-  made->stiffness = values(made->tape, 0, 0)[1];
-  require(std::isfinite(made->stiffness) && made->stiffness > 0, "contact.cohesion.slope",
-          {{"mix", 0.0}, {"value", made->stiffness}, {"first", made->stiffness}});
-  const double start = made->traction(0, 0), far = made->length = opening_at(*made, 0.5, 0, 0, 1);
+  const double start = made->traction(0, 0), rate = values(made->tape, 0, 0)[1];
+  made->stiffness = first_slope(made->tape, 0);
+  const bool rises = std::isfinite(rate) && std::isfinite(made->stiffness) && made->stiffness > 0;
+  require(rises || start == 0, "contact.cohesion.start", {{"mix", 0.0}, {"value", start}});
+  require(rises, "contact.cohesion.slope", {{"value", std::isfinite(rate) ? made->stiffness : rate}});
+  const double far = made->length = opening_at(*made, 0.5, 0, 0, 1);
   const bool falls = made->left(far, 0).value <= 0.5 + cohesion_rounding;
   require(falls || start == 0, "contact.cohesion.start", {{"mix", 0.0}, {"value", start}});
   require(falls, "contact.cohesion.area", {{"opening", far}, {"mix", 0.0}, {"value", made->traction(far, 0)}});
