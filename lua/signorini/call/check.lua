@@ -24,6 +24,7 @@ local reads = {}
 local function list_cure(of, value)
   if of.cure then return of.cure(value) end
   if type(value) == "number" then return "put it into braces, as in {1, 2}" end
+  if of.kind == "point" and type(value) ~= "table" then return "write its coordinates, as in {1, 2}" end
   if pages.kind(value) == "table" and not length(value) then
     return "write its values one after the other, as in {1, 2}, without names or gaps"
   end
@@ -305,12 +306,15 @@ function reads.either(of, value, where, name, row)
   end
   if best then return read(best, value, where, name, row) end
   local finite = type(value) ~= "number" or math.abs(value) < math.huge
-  local cure = of.cure or type(value) == "string" and tonumber(value) and "remove the quotes" or nil
+  local cure = type(value) == "string" and tonumber(value) and "remove the quotes" or nil
   for _, one in ipairs(of) do
-    if not cure and one.kind == "choice" and type(value) == "string" then cure = select(2, fits.choice(one, value)) end
     if not cure and (one.kind == "number" or one.kind == "integer") and type(value) == "number" then
       cure = select(2, fits[one.kind](one, value))
     end
+  end
+  cure = cure or of.cure
+  for _, one in ipairs(of) do
+    if not cure and one.kind == "choice" and type(value) == "string" then cure = select(2, fits.choice(one, value)) end
   end
   reject.value(where, name, finite and describe.one(of) or describe.one(of) .. ", finite", value, cure, row)
 end

@@ -42,8 +42,10 @@ end
 function reject.unknown(where, name, value, unknown, rows)
   table.sort(unknown)
   local known, hints = pages.keys(rows), rows.hints or {}
-  local all = table.concat(lists.map({ table.unpack(unknown, 1, most_unknown) }, function(key)
-    local hint = hints[key] and ". Hint: " .. hints[key] or meant(key, known)
+  local named = { table.unpack(unknown, 1, most_unknown) }
+  local all = table.concat(lists.map(named, function(key, i)
+    local hint = hints[key] and hints[key] == hints[named[i + 1]] and "" -- said once, after the last
+      or hints[key] and ". Hint: " .. hints[key] or meant(key, known)
     return ("unknown argument '%s' (%s)%s"):format(key, core.describe(value[key]), hint)
   end), "; ")
   core.fail(("%s%s: %s%s known: %s"):format(where, name == "" and "" or ": " .. name, all, all:find "%?$" and "" or ";",

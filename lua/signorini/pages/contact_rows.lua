@@ -20,8 +20,26 @@ local static = t.named {
   end,
 }
 
+static.rows.hints = { mu1 = "write the two values without names, as in { 0.3, 0.2 }" }
+static.rows.hints.mu2 = static.rows.hints.mu1
+
+local ellipse = t.list(t.positive, 2)
+function ellipse.cure() return "write { mu1, mu2 }, along `along` and across it" end
+
+--- A type with a hint for a value of another one.
+local function cured(of, cure)
+  of.cure = cure
+  return of
+end
+
+--- A number, or a function that returns a formula, or one of other types.
+local function number_or_formula(number, example, ...)
+  return cured(t.either(number, t.callback, ...), "write a number, or a formula as in " .. example)
+end
+
 --- The coefficient of friction of a contact in sg.model.
-rows.coefficient = { "mu", t.either(t.non_negative, t.callback, static, t.list(t.positive, 2)),
+rows.coefficient = { "mu",
+  number_or_formula(t.non_negative, "function(p) return 0.1 + 0.2 * sg.exp(-p) end", static, ellipse),
   [[Coulomb's coefficient of friction, tan of the angle of friction, not the angle; 0 for a contact whose friction
 begins in a later stage.
 function(p, v, slip, X, Y, Z, cosine) (those that it needs, by name, in any order) that returns a formula, help
@@ -40,8 +58,9 @@ face]], optional = true }
 
 --- Wear of a contact in sg.model.
 rows.wear = {
-  { "rate", t.either(t.non_negative, t.callback), [[depth per pressure and slip. function(p, v, slip, X, Y, Z) (those
-that it needs) that returns a formula of the same variables as friction.mu]], unit = "1/pressure" },
+  { "rate", number_or_formula(t.non_negative, "function(p) return 1e-3 * p end"), [[depth per pressure and slip.
+function(p, v, slip, X, Y, Z) (those that it needs, by name) that returns a formula of the same variables as
+friction.mu]], unit = "1/pressure" },
   { "update", t.choice { "implicit", "explicit" }, [[implicit: the wear of a step acts on its pressure (backward Euler).
 explicit: that of the steps before; unstable where rate × slip of a step × stiffness of the contact exceeds 2]],
     default = "implicit" },
@@ -76,8 +95,10 @@ local function conflict_of_law(values, given)
     end
     return nil
   end
-  for _, needed in ipairs { "strength", "energy" } do
-    if not values[needed] then return ("it needs %s: strength and energy, or traction as a formula"):format(needed) end
+  if not (values.strength and values.energy) then
+    local single = values.strength and "strength without energy" or values.energy and "energy without strength"
+    return single and ("it has %s: give both, or traction as a formula"):format(single)
+      or "it needs strength and energy, or traction as a formula"
   end
   local mixed = type(values.energy) == "function" or type(values.strength) == "function" or values.shear ~= 1
   if mixed and values.law == "bilinear" and not values.stiffness then
@@ -93,12 +114,16 @@ local function conflict_of_law(values, given)
   end
 end
 
+local of_opening = cured(t.worded(t.callback, "a function"),
+  "write a formula, as in function(u) return K * u * sg.exp(-u / c) end")
+local by_mix = number_or_formula(t.positive, "function(m) return G1 + (G2 - G1) * m ^ 2 end")
+
 --- The bonds of a cohesive contact; `region`: the type of a function of the position.
 function rows.cohesive(region)
   return {
-    { "strength", t.either(t.positive, t.callback), [[largest traction; of a bilinear law also function(m) that returns
+    { "strength", by_mix, [[largest traction; of a bilinear law also function(m) that returns
 a formula, as energy]], unit = "force per area", optional = true },
-    { "energy", t.either(t.positive, t.callback), [[energy of separation per area, G: for any mixture of opening and
+    { "energy", by_mix, [[energy of separation per area, G: for any mixture of opening and
 shear, or function(m) that returns a formula, help "formulas", of the share m of shear in the work, 0 in opening, 1 in
 shear, as in function(m) return G1 + (G2 - G1) * m ^ 2 end (Benzeggagh and Kenane). The zone in which
 bonds open has a length of about E G / strength^2, less in thin bodies; its elements should be a third of it]],
@@ -109,9 +134,9 @@ proportional to sqrt(G). bilinear: T = stiffness u up to the strength, then line
 u = 2 G/strength]], default = "exponential" },
     { "stiffness", t.positive, "initial stiffness of a bilinear law, above strength^2/(2 G)",
       unit = "pressure per length", otherwise = "the contact's penalty; needed with functions of m or shear" },
-    { "traction", t.callback, [[function(u, m) (or function(u)) that returns a formula, in place of strength, energy and
-law: the traction on first opening, with T = 0 at u = 0, the same finite slope there for all m, T / u falling, and a
-finite area below it, the energy of separation]], unit = "force per area", optional = true },
+    { "traction", of_opening, [[function(u, m) (those that it needs) that returns a formula, in place of strength,
+energy and law: the traction on first opening, with T = 0 at u = 0, the same finite slope there for all m, T / u
+falling, and a finite area below it, the energy of separation]], unit = "force per area", optional = true },
     { "shear", t.positive, [[weight b of shear: u^2 = opening^2 + b^2 shear^2, so that tractions in pure shear are b
 times as large; energies of separation stay the same]], default = 1 },
     { "where", region, [[function(X) that returns true where the faces are bonded, to leave out an initial crack;

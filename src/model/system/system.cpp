@@ -1,5 +1,6 @@
 #include "model/system/system.hpp"
 
+#include "base/error.hpp"
 #include "model/scene/check.hpp"
 #include "model/scene/contact_faces.hpp"
 #include "model/scene/default_penalty.hpp"
@@ -45,20 +46,27 @@ template <int D> contact::Master<D> master_of(const Scene<D>& scene, const Conta
   return {scene.obstacles[obstacle], turn ? std::optional(turn->turning) : std::nullopt, opposite};
 }
 
+/// An Error of the formulation names the contact.
+template <int D> auto make_contact(const Scene<D>& scene, const Contact<D>& contact) {
+  contact::ContactSetting<D> setting{surface_of(scene, contact.slave),
+                                     master_of(scene, contact),
+                                     contact.points,
+                                     scene.kind == solid::Kind::axisymmetric,
+                                     contact.where,
+                                     contact.start,
+                                     contact.bonded,
+                                     contact.adaptive_points};
+  try {
+    return contact.own ? contact.own(std::move(setting))
+                       : contact::make_formulation<D>(contact.method, std::move(setting));
+  } catch (const Error& error) {
+    fail("model.scene.contact", {{"contact", contact.name}, {"problem", error.message()}});
+  }
+}
+
 template <int D> contact::Formulations<D> make_contacts(const Scene<D>& scene) {
   contact::Formulations<D> contacts;
-  for (const Contact<D>& contact : scene.contacts) {
-    contact::ContactSetting<D> setting{surface_of(scene, contact.slave),
-                                       master_of(scene, contact),
-                                       contact.points,
-                                       scene.kind == solid::Kind::axisymmetric,
-                                       contact.where,
-                                       contact.start,
-                                       contact.bonded,
-                                       contact.adaptive_points};
-    contacts.push_back(contact.own ? contact.own(std::move(setting))
-                                   : contact::make_formulation<D>(contact.method, std::move(setting)));
-  }
+  for (const Contact<D>& contact : scene.contacts) contacts.push_back(make_contact(scene, contact));
   return contacts;
 }
 

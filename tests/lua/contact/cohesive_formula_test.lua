@@ -91,7 +91,10 @@ end
 local function G(m) return 0.2 + 0.4 * m ^ 2 end
 ]]
 check.refusals(start, "study.lua:", {
-  { "with{ energy = 1 }", "contacts.f.cohesive: it needs strength" },
+  { "with{ energy = 1 }", "contacts.f.cohesive: it has energy without strength: give both" },
+  { "with{}", "contacts.f.cohesive: it needs strength and energy, or traction as a formula" },
+  { "with{ traction = 1 }", "contacts.f.cohesive.traction must be a function", "write a formula, as in function(u)" },
+  { "with{ strength = 0.1, energy = 'a' }", "contacts.f.cohesive.energy must be", "as in function(m)" },
   { "with{ strength = 0.1, energy = G, law = 'bilinear' }", "without stiffness" },
   { "with{ strength = G, energy = G }", "a function as strength and law = \"exponential\"" },
   { "with{ strength = 1, energy = 1, shear = 0 }", "contacts.f.cohesive.shear must be a positive number" },

@@ -223,7 +223,13 @@ check.case("what is refused", function()
     .. "depends on v, but stage 'slide' has no duration. Hint: write duration = its length in time")
   refused(0.1, {}, nil, { arc_length = true }, "stages[1] has a duration, but arc_length = true")
   refused(function() return 0.3 end, {}, nil, nil,
-    "contacts.floor.friction.mu must return a formula of its arguments, got the number 0.3")
+    "contacts.floor.friction.mu must return a formula of its arguments, got the number 0.3. Hint: write mu = 0.3")
+  refused(function(p) return p * (0 / 0) end, {}, nil, nil, "contacts.floor.friction.mu contains the number",
+    "must be finite")
+  refused(0 / 0, {}, nil, nil, "contacts.floor.friction.mu must be", "finite")
+  refused({ mu1 = 0.3, mu2 = 0.2 }, {}, nil, nil, "unknown argument 'mu1'", "as in { 0.3, 0.2 }")
+  refused({ 0.1, 0.2, 0.3 }, {}, nil, nil, "contacts.floor.friction.mu must be", "write { mu1, mu2 }")
+  refused("rough", {}, nil, nil, "contacts.floor.friction.mu must be", "as in function(p) return")
   refused(function() end, {}, nil, nil, "write return before the formula")
   refused(function(p, slips) return p + slips end, {}, nil, nil, "contacts.floor.friction.mu has an unknown parameter "
     .. "'slips'; did you mean 'slip'? known: p, v, slip, X, Y, Z, cosine")

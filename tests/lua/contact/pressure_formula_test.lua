@@ -79,6 +79,9 @@ check.case("what is refused", function()
   refused({ pressure = function(g) return sg.log(g) end }, "contacts.floor.pressure is", "it must be finite")
   refused({ pressure = function(g) return 0 * g end }, "contacts.floor.pressure is 0 down to g = -0.25")
   refused({ pressure = function() end }, "write return before the formula")
+  refused({ pressure = function() return 5 end }, "got the number 5. Hint: let it depend on g")
+  refused({ pressure = 5 }, "contacts.floor.pressure must be a function", "as in function(g)")
+  refused({ pressure = function(g, Z) return -g * Z end }, "contacts.floor.pressure depends on Z, but a plane")
   local model = block { pressure = function(g) return -g * 1e3 end }
   check.fails(function() model:run { { steps = 1, contacts = { floor = { penalty = 3 } } } } end,
     "the pressure of contacts.floor is a formula, so that it has no penalty to change")
