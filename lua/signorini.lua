@@ -59,11 +59,15 @@ end })
 
 types.model.run = require "signorini.run.run"
 types.model.cost = require "signorini.run.cost"(types.model.cost)
-local energies, profiles, named = types.model.energy, types.model.profile, require "signorini.call.named"
+local energies, profiles, resultants = types.model.energy, types.model.profile, types.model.contact_resultant
+local named = require "signorini.call.named"
 function types.model:energy() return named.strict("model:energy()", energies(self)) end
 function types.model:profile(contact)
   return named.strict("a contact profile", profiles(self, contact),
     "lists with one value per contact point, such as profile.pressure[1]")
+end
+function types.model:contact_resultant(contact)
+  return named.strict("a contact resultant", resultants(self, contact))
 end
 for _, kind in ipairs { "model", "state", "patch" } do
   types[kind].show = function(...) return require("signorini.prompt.display").show_object(kind, ...) end
@@ -73,7 +77,7 @@ sg.robust = require("signorini.run.controls").robust
 sg.plain = require("signorini.run.controls").plain
 
 local methods = require "signorini.call.methods"
-methods.guard("model", "run cost energy profile show")
+methods.guard("model", "run cost energy profile contact_resultant show")
 methods.guard("state", "show")
 methods.guard("patch", "show")
 methods.guard("picture", "show")

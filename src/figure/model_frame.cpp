@@ -35,12 +35,17 @@ template <int D> int divisions_for(const model::Model<D>& model, int b) {
   return std::clamp(static_cast<int>(std::sqrt(40000.0 / elements)), 4, 12);
 }
 
+void check_finite(const VectorX& values, const Showing& showing) {
+  require(values.allFinite(), "figure.field.finite", {{"field", showing.field}});
+}
+
 /// A plane body, or the surface of a solid.
 template <int D>
 view::Body skin_of(const model::Model<D>& model, int b, const Showing& showing, const model::Field<D>* field) {
   const int divisions = divisions_for(model, b);
   const auto sampling = tessellation::sampling(model, b, divisions, showing.deformed, showing.windows);
   tessellation::Skin skin = tessellation::tessellate(model, b, field, sampling, showing.deformed);
+  check_finite(skin.values, showing);
   if constexpr (D == 3)
     if (const auto on_faces = model::face_field(showing.field))
       skin.values = tessellation::face_values(model, *on_faces, b, sampling);
@@ -166,15 +171,17 @@ void add_mirror_image(view::Panel& panel, int axis, double sign) {
 
 // ── Cuts ─────────────────────────────────────────────────────────────────────────────────────────────────────────────
 
-/// The lattices of the elements that one of the planes intersects. Inside bodies the contact pressure is drawn as zero.
+/// The lattices of the elements that one of the planes intersects.
 std::vector<view::Lattice> inside_of(const model::Model<3>& model, int b, const Showing& showing,
                                      const model::Field<3>* field, bool valued,
                                      const std::vector<tessellation::CutPlane>& planes) {
   std::vector<view::Lattice> result;
   for (tessellation::Inside& inside :
        tessellation::crossed_elements(model, b, field, divisions_for(model, b), showing.deformed, planes)) {
+    check_finite(inside.values, showing);
     view::Lattice lattice{inside.divisions, std::move(inside.points), showing.factor * inside.values};
-    if (valued && !field) lattice.values.setZero(lattice.points.cols());
+    if (valued && !field)
+      lattice.values.setConstant(lattice.points.cols(), elsewhere(*model::face_field(showing.field)));
     result.push_back(std::move(lattice));
   }
   return result;

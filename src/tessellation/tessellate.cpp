@@ -143,9 +143,10 @@ VectorX face_values(const Model<3>& model, model::FaceField field, int body, con
   std::vector<double> values;
   each_side_element(model, body, false, sampling, [&](const SideElement& of, const auto& along, const auto& across) {
     const int e = of.i + of.side.elements(0) * of.j;
+    const bool on_slave = std::ranges::any_of(faces, [&](const auto& face) { return face.side() == of.side.side; });
     for (double t : across)
       for (double s : along) {
-        double sum = 0;
+        double sum = on_slave ? 0 : elsewhere(field);
         for (const FaceValues<3>& face : faces)
           if (face.side() == of.side.side) sum += face.at_place(e, {s, t});
         values.push_back(sum);

@@ -47,7 +47,7 @@ Vec<3> place(const nurbs::Patch& patch, const VectorX& xi);
 int surface_elements(const nurbs::Discretization& space);
 
 /// A field on the slave faces of the body at the points of its skin: linear between the contact points of a face
-/// element, constant beyond the outer ones; 0 on other faces. Empty if no face of the body has it.
+/// element, constant beyond the outer ones; elsewhere() on other faces. Empty if no face of the body has it.
 VectorX face_values(const Model<3>& model, model::FaceField field, int body, const Sampling<3>& sampling);
 
 /// An element sampled at (divisions + 1)³ points, uniform in its parameters, ξ¹ fastest.

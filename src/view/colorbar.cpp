@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <tuple>
 
 namespace signorini::view {
@@ -24,11 +25,23 @@ double widest_tick(const Ticks& ticks, double size) {
   return width;
 }
 
+/// True if values between these differ by more than rounding error.
+bool differ(const std::array<double, 2>& values) {
+  return values[1] - values[0] > 1e-9 * std::max(std::abs(values[0]), std::abs(values[1]));
+}
+
+/// The range of colors of values that do not differ, which says nothing about them.
+std::array<double, 2> widened(const std::array<double, 2>& values) {
+  const double size = std::max(std::abs(values[0]), std::abs(values[1])), space = size == 0 ? 1 : 0.1 * size;
+  return {values[0] - space, values[1] + space};
+}
+
 } // namespace
 
 std::optional<ColoredValues> colored_values(const std::vector<const VectorX*>& values) {
   std::vector<double> sorted;
-  for (const VectorX* some : values) sorted.insert(sorted.end(), some->begin(), some->end());
+  for (const VectorX* some : values)
+    std::ranges::copy_if(*some, std::back_inserter(sorted), [](double value) { return !std::isnan(value); });
   if (sorted.empty()) return std::nullopt;
   constexpr double share = 0.005, far = 3;
   const auto left_out = static_cast<std::ptrdiff_t>(std::ceil(share * static_cast<double>(sorted.size())));
@@ -69,13 +82,9 @@ std::array<double, 2> color_range(const std::array<double, 2>& values,
   }
   auto [low, high] = values;
   if (diverging && low < 0 && high > 0) high = std::max(-low, high), low = -high;
-  const double size = std::max(std::abs(low), std::abs(high));
-  if (high - low > 1e-9 * size) {
-    require_drawable(low, high, false);
-    return {low, high};
-  }
-  const double space = size == 0 ? 1 : 0.1 * size;
-  return {low - space, high + space};
+  if (!differ({low, high})) return widened({low, high});
+  require_drawable(low, high, false);
+  return {low, high};
 }
 
 double colorbar_room(const std::array<double, 2>& range, const std::string& title, double height, const Style& style,
@@ -98,10 +107,12 @@ void draw_colorbar(Drawing& drawing, const BarPlace& place, const std::array<dou
   const double middle = 0.5 * (place.left + right);
   const Scale scale{range[0], range[1], log, low, high};
 
-  const double step = (high - low) / static_cast<double>(colors.size());
-  for (std::size_t i = 0; i < colors.size(); ++i) {
+  const bool constant = !log && !differ(values) && range == widened(values);
+  const std::vector<Rgb> shown = constant ? std::vector{color_of(values[0], range, colors)} : colors;
+  const double step = (high - low) / static_cast<double>(shown.size());
+  for (std::size_t i = 0; i < shown.size(); ++i) {
     const double from = low + step * i; // each up to the top, to avoid seams
-    drawing.marks.push_back(Fill{{{place.left, from}, {right, from}, {right, high}, {place.left, high}}, colors[i]});
+    drawing.marks.push_back(Fill{{{place.left, from}, {right, from}, {right, high}, {place.left, high}}, shown[i]});
   }
   for (double level : levels)
     if (level > range[0] && level < range[1])
@@ -121,12 +132,12 @@ void draw_colorbar(Drawing& drawing, const BarPlace& place, const std::array<dou
   outline.insert(outline.end(), {{place.left, high}, {place.left, low}});
   drawing.marks.push_back(Stroke{outline, bar_rim, 1.6 * style.unit});
 
-  for (std::size_t i = 0; i < ticks.at.size(); ++i) {
+  for (std::size_t i = 0; i < ticks.at.size() && !constant; ++i) {
     const double y = scale(ticks.at[i]);
     drawing.marks.push_back(Stroke{{{right, y}, {right + 0.22 * size, y}}, bar_rim, 1.6 * style.unit});
     drawing.marks.push_back(Text{{right + 0.45 * size, y - 0.36 * size}, ticks.labels[i], size, Align::left, ink});
   }
-  if (!ticks.factor.empty())
+  if (!ticks.factor.empty() && !constant)
     drawing.marks.push_back(Text{{place.left, top - 0.8 * size}, ticks.factor, size, Align::left, ink});
   const double space = colorbar_room(range, title, top - bottom, style, log) - 1.3 * style.margin;
   // Zero up to rounding error is printed as zero.

@@ -26,9 +26,9 @@ struct ColoredValues {
   std::size_t count = 0, extreme = 0;
   bool clipped() const { return extreme > 0; }
 };
-/// Over all states; empty without values. Outliers are the highest (lowest) 0.5 % if they exceed the others by more
-/// than three times the range of these: one sample at a singular point would otherwise leave a single color for all
-/// others.
+/// Over all states, without nan; empty without values. Outliers are the highest (lowest) 0.5 % if they exceed the
+/// others by more than three times the range of these: one sample at a singular point would otherwise leave a single
+/// color for all others.
 std::optional<ColoredValues> colored_values(const std::vector<const VectorX*>& values);
 
 /// The default color range excludes outliers: the warning states their number and extreme values.
@@ -48,8 +48,9 @@ struct BarPlace {
 double colorbar_room(const std::array<double, 2>& range, const std::string& title, double height, const Style& style,
                      bool log = false);
 
-/// `values`: minimum and maximum, printed at the ends of the bar; an end beyond which values lie is pointed. `log`:
-/// logarithmic colors. `levels`: of contour lines.
+/// `values`: minimum and maximum, printed at the ends of the bar; an end beyond which values lie is pointed. Values
+/// that do not differ have a bar of one color without ticks, unless the range is given. `log`: logarithmic colors.
+/// `levels`: of contour lines.
 void draw_colorbar(Drawing& drawing, const BarPlace& place, const std::array<double, 2>& range,
                    const std::array<double, 2>& values, const std::vector<Rgb>& colors, const std::string& title,
                    const Style& style, bool log = false, const std::vector<double>& levels = {});

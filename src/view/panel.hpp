@@ -26,7 +26,7 @@ struct Surface {
   Points points;
   Points normals; ///< outward unit normals, one per point; empty in the plane
   Triangles triangles;
-  VectorX values;      ///< one per point; empty: no field
+  VectorX values;      ///< one per point, nan where the field does not exist; empty: no field
   Points vectors = {}; ///< one per point, for arrows; or empty
 };
 
@@ -42,7 +42,7 @@ struct SurfaceLine {
 struct Lattice {
   int divisions;
   Points points;
-  VectorX values; ///< one per point; empty: no field
+  VectorX values; ///< as those of a surface
 };
 
 /// One body, tessellated, in space or in the plane z = 0.

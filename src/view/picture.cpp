@@ -194,7 +194,8 @@ Field field_of(const Surface& surface, bool lit, const Canvas& canvas) {
               lit ? turned(surface) : surface.triangles,
               surface.values,
               canvas.range,
-              canvas.colors};
+              canvas.colors,
+              plain_color};
   if (surface.values.size() == 0) {
     field.values.setConstant(surface.points.cols(), canvas.range[0]);
     field.colors = {plain_color, plain_color};

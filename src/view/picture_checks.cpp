@@ -22,7 +22,7 @@ void check(const Surface& surface, const Message& name) {
           "view.body.triangles", {{"body", name}, {"most", surface.points.cols() - 1}});
   require(surface.values.size() == 0 || surface.values.size() == surface.points.cols(), "view.body.values",
           {{"body", name}, {"values", surface.values.size()}, {"points", surface.points.cols()}});
-  require(surface.values.allFinite(), "view.body.field", {{"body", name}});
+  require(!surface.values.array().isInf().any(), "view.body.field", {{"body", name}});
   require(surface.normals.cols() == 0 || surface.normals.cols() == surface.points.cols(), "view.body.normals",
           {{"body", name}, {"normals", surface.normals.cols()}, {"points", surface.points.cols()}});
 }
@@ -38,7 +38,8 @@ void check(const Body& body, const Message& name) {
   for (const auto* lines : {&body.mesh_lines, &body.rim, &body.undeformed_rim})
     for (const SurfaceLine& line : *lines)
       finite &= line.points.allFinite() && line.normals.allFinite() && line.spacing >= 0;
-  for (const Lattice& lattice : body.inside) finite &= lattice.points.allFinite() && lattice.values.allFinite();
+  for (const Lattice& lattice : body.inside)
+    finite &= lattice.points.allFinite() && !lattice.values.array().isInf().any();
   require(finite, "view.body.inside", {{"body", name}});
 }
 

@@ -18,6 +18,7 @@ struct Field {
   VectorX values; ///< one per point
   std::array<double, 2> range;
   std::vector<Rgb> colors; ///< evenly spaced over the range
+  Rgb missing;             ///< where the value is nan
 };
 
 /// Unlit triangles, each of one color.

@@ -136,6 +136,16 @@ TEST(Skin, ContainsFieldsAndContactPressure) {
   EXPECT_EQ(touching, 4 * 2 * 16);
 }
 
+TEST(Skin, HasOtherFieldsOfContactsOnTheirFacesOnly) {
+  Scene<3> scene = pressed(contact::make_plane<3>({0, 0, 1}, {0, 0, -1}));
+  scene.contacts[0].method.law.frictional = true;
+  const Model<3> model(scene);
+  const VectorX slip = face_values(model, model::FaceField::slip, 0, evenly(model, 2));
+  const Eigen::Index on_slave = 8 * 9;
+  EXPECT_TRUE(slip.head(slip.size() - on_slave).array().isNaN().all());
+  EXPECT_TRUE(slip.tail(on_slave).isZero(0));
+}
+
 TEST(Skin, InterpolatesBetweenContactPoints) {
   Model<3> model(pressed(contact::make_ball<3>({0.75, 0.25, 1.6}, 0.6)));
   press(model, 0.1);

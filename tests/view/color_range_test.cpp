@@ -22,6 +22,8 @@ TEST(ColorRange, SpansAllValuesWithoutOutliers) {
   EXPECT_FALSE(range->clipped());
   EXPECT_EQ(range->typical, (Range{0, 3.9}));
   EXPECT_FALSE(colored_values({}).has_value());
+  const VectorX partly = Vec<3>(std::nan(""), 1, 3);
+  EXPECT_EQ(colored_values({&partly})->all, (Range{1, 3}));
 }
 
 TEST(ColorRange, ExcludesASingleOutlierWithAWarning) {
@@ -54,6 +56,20 @@ TEST(ColorBar, PrintsMinimumAndMaximumAtItsEnds) {
   };
   EXPECT_EQ(texts({0, 1}, {-1.319e-7, 850}), (std::vector<std::string>{"max 850", "min −1.32×10^{-7}"}));
   EXPECT_EQ(texts({0, 1}, {0, 0.25}), (std::vector<std::string>{"max 0.25", "min 0"}));
+}
+
+TEST(ColorBar, HasOneColorAndNoTicksForASingleValue) {
+  const auto count = [](const Range& range) {
+    Drawing drawing{{1600, 1000}, {}};
+    draw_colorbar(drawing, {1300, 100, 900}, range, {2, 2}, {black, white}, "", style_for({1600, 1000}));
+    int fills = 0, texts = 0;
+    for (const Mark& mark : drawing.marks)
+      fills += std::holds_alternative<Fill>(mark), texts += std::holds_alternative<Text>(mark);
+    return std::array{fills, texts};
+  };
+  EXPECT_EQ(count(color_range(Range{2, 2}, {}, false)), (std::array{1, 2})); // min 2, max 2
+  EXPECT_EQ(count({0, 4})[0], 2);
+  EXPECT_GT(count({0, 4})[1], 4);
 }
 
 TEST(ColorBar, HasPointedEndsForValuesOutsideItsRange) {

@@ -130,7 +130,7 @@ TEST(Picture, RejectsInvalidInput) {
       refusal(rings(), options),
       {"view.colormap.unknown: colormap = jet, known = (viridis, magma, inferno, plasma, cividis, gray, coolwarm)"}));
   auto bodies = rings();
-  bodies[1].skin.values[3] = std::numeric_limits<double>::quiet_NaN();
+  bodies[1].skin.values[3] = std::numeric_limits<double>::infinity();
   EXPECT_TRUE(holds(refusal(bodies), {"view.body.field: body = (view.sheet.body: state = (), number = 1)"}));
   bodies = rings();
   bodies[0].skin.triangles(0, 0) = 100000;

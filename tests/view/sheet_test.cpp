@@ -139,7 +139,7 @@ TEST(Sheet, GivesEqualBytesAndRejectsEmptyInput) {
   EXPECT_GT(shape(3), 2 * shape(1));
   EXPECT_TRUE(holds(message_of([&] { make_plate(std::vector<Panel>{}, {}); }), {"view.sheet.empty"}));
   auto broken = panels;
-  broken[1].bodies[0].skin.values[3] = std::nan("");
+  broken[1].bodies[0].skin.values[3] = INFINITY;
   EXPECT_TRUE(holds(message_of([&] { make_plate(broken, {}); }),
                     {"view.body.field: body = (view.sheet.body: state = (view.sheet.state: number = 1), number = 0)"}));
 }

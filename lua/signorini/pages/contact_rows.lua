@@ -68,15 +68,16 @@ explicit: that of the steps before; unstable where rate × slip of a step × sti
 
 --- The constants of a contact that a load path changes.
 rows.change = {
-  { "active", t.flag, "whether the contact acts. One that does not has no pressure, friction or history",
+  { "active", t.flag, [[whether the contact acts. One that does not has no pressure or friction, and of its history
+only wear]],
     optional = true },
   { "penalty", t.positive, "normal penalty", unit = "pressure per length", optional = true },
   { "friction", t.named {
     { "mu", t.non_negative, "Coulomb's coefficient of friction", optional = true },
     { "penalty", t.positive, "tangential penalty", unit = "pressure per length", optional = true },
     conflict = conflict_of_change,
-  }, [[Coulomb friction, of a contact that has friction in sg.model (there mu = 0 if it is without at first). Where
-friction begins, points stick at their present place]], optional = true },
+  }, [[Coulomb friction, of a contact that has friction or wear in sg.model (there mu = 0 if it is without at first).
+Where friction begins, points stick at their present place]], optional = true },
   { "offset", t.number, "gap at which the faces touch", unit = "length", optional = true },
 }
 rows.change.conflict = conflict_of_change

@@ -97,11 +97,11 @@ depending on the file's name ("x-%04d.png", "x.mp4"), as in sg.film]], optional 
       "Colors:",
       of_models { "field", field, [[displacements ux uy u (length); Cauchy stresses (force per area) sxx syy szz sxy,
 von_mises, pressure (-tr sigma/3), I1 (tr sigma: the first invariant of the stress, not of C); deformation gradient (no
-unit) F11 F12 F21 F22 F33; for solids also uz sxz syz F13 … F32; contact_pressure (force per current area) on
-slave faces, damage (of bonds, 0 to 1) on those of cohesive contacts, mu (coefficient of friction) and slip (since the
-touch, a length) on those of contacts with friction, worn (depth, a length) on those with wear, in the plane as a band
-along them. Stresses are evaluated at the points drawn, neither extrapolated nor averaged, so that jumps between
-elements are visible]], otherwise = "gray" },
+unit) F11 F12 F21 F22 F33; for solids also uz sxz syz F13 … F32; contact_pressure (force per current area) on slave
+faces, damage (of bonds, 0 to 1) on those of cohesive contacts, mu (coefficient of friction) and slip (since the touch,
+a length) on those of contacts with friction or wear, worn (depth, a length) on those with wear, in the plane as a band
+along them; where they do not exist bodies are gray. Stresses are evaluated at the points drawn, neither extrapolated
+nor averaged, so that jumps between elements are visible]], otherwise = "gray" },
       { "factor", t.number, "multiplies the field", default = 1, needs = { "field", "fields" } },
       { "label", t.text, "title of the color bar", otherwise = "the field's name with its factor",
         needs = { "field" }, excludes = { "fields", why = "each of which has its own color bar" } },

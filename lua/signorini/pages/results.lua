@@ -51,11 +51,12 @@ also of a closed point without friction, "slip", "adhesion", "bonded": not close
 with a formula mix, the share of shear in the energy that a bond has dissipated (0 where it is whole); its pressure,
 negative in tension, and traction include those of the bonds. Pressure and traction are forces per current area,
 whatever `per` of the contact is; with method = "mortar" `area`, pressure and traction refer to the reference area. With
-friction also mu, the coefficient with which a touching point slips or, of a formula, would begin to (orthotropic:
-friction along the slip over pressure), and slip, since the touch, without the elastic slip of the penalty; with method
-= "mortar" and a penalty both are interpolated between multipliers, as is the pressure. With wear worn, its depth. In 3D
-also z, Z, and tx, ty, tz, the components of the friction traction t_T, whose magnitude is `traction`; -t_T acts on the
-slave. Reading any other field is an error.]],
+friction or wear also mu, the coefficient with which a touching point slips or, of a formula, would begin to
+(orthotropic: friction along the slip over pressure; 0 with wear alone), and slip, since the touch, without the elastic
+slip of the penalty; with method = "mortar" and a penalty both are interpolated between multipliers, as is the pressure.
+With wear worn, its depth, which a contact keeps while it is switched off. In 3D also z, Z, and tx, ty, tz, the
+components of the friction traction t_T, whose magnitude is `traction`; -t_T acts on the slave. Reading any other field
+is an error.]],
     arguments = { a_contact },
     returns = t.record("x y X Y area inside pressure traction gap", t.numbers(), "state", t.list(t.text),
       "z? Z? tx? ty? tz?", t.numbers(), "damage? mix? mu? slip? worn?", t.numbers()),
@@ -64,7 +65,7 @@ slave. Reading any other field is an error.]],
     arguments = {
       { "body", t.either(t.object "body", t.name(function(model) return model:body_names() end)),
         "a body or its name" },
-      { "field", t.choice(core.fields), [[as in sg.picture; contact_pressure, damage, mu and slip are interpolated
+      { "field", t.choice(core.fields), [[as in sg.picture; contact_pressure, damage, mu, slip and worn are interpolated
 between the contact points of a slave face, on which xi must be]] },
       { "xi", t.worded(t.point, "a list of 2 numbers {xi1, xi2}, in 3D of 3"), "parametric coordinates" },
     },
@@ -110,19 +111,20 @@ print(model) shows them.]],
     example = "model:contact_law(\"interface\").penalty" },
   { "model:contact_resultant", [[Returns { fx, fy, fz, area, max_pressure, mean_pressure, max_penetration, active,
 slipping, per, unsettled, crossed }: the force on the slave (fz in 3D); the current area in contact (with method =
-"mortar" the reference area), which is that inside gap = 0, linear between contact points; extremes;
-the largest mean pressure over a slave element (where elements or a high penalty do not resolve the peak, it is closer
-to the peak than max_pressure); the numbers of contact points that touch and slip; and per, "current" or "reference",
-the area on which tractions act; of mortar contact with a penalty also weighted_penetration, the largest of its
-multipliers; with friction slip, the mean slip since the touch over the area of the points that touch; of a cohesive
-contact debonded, the area of new surface: energy dissipated by bonds over energy of separation; with wear worn_volume,
-the volume that has been worn off, which half passes share; with "half_passes" also imbalance, |f + f2| / max(|f|, |f2|)
-with the force f2 of the other pass: by how much action and reaction differ, 0 without forces. unsettled: how often, in
-all accepted states so far, the search for a closest point or slip point ended at the limit of iterations; unsettled_at
-is the reference position of the latest such point. With a formula of friction or wear flawed: how often it was negative
-at a point, or fell faster with the slip than the tangential penalty can follow; flaw, "negative", "negative wear" or
-"jumps", and flawed_at tell the latest. crossed: how many points have passed through the master without contact since
-the accepted state, 0 in accepted states; crossed_at is the reference position of the last of them.]],
+"mortar" the reference area), which is that inside gap = 0, linear between contact points; extremes; the largest mean
+pressure over a slave element (where elements or a high penalty do not resolve the peak, it is closer to the peak than
+max_pressure); the numbers of contact points that touch and slip; and per, "current" or "reference", the area on which
+tractions act; of mortar contact with a penalty also weighted_penetration, the largest of its multipliers; with friction
+or wear slip, the mean slip since the touch over the area of the points that touch; of a cohesive contact debonded, the
+area of new surface: energy dissipated by bonds over energy of separation; with wear worn_volume, the volume that has
+been worn off, which half passes share; with "half_passes" also imbalance, |f + f2| / max(|f|, |f2|) with the force f2
+of the other pass: by how much action and reaction differ, 0 without forces. unsettled: how often, in all accepted
+states so far, the search for a closest point or slip point ended at the limit of iterations; unsettled_at is the
+reference position of the latest such point. With a formula of friction or wear flawed: how often it was negative at a
+point, not a finite number, or fell faster with the slip than the tangential penalty can follow; flaw ("negative",
+"negative wear", "undefined", "undefined wear" or "jumps") and flawed_at tell the latest. crossed: how many points have
+passed through the master without contact since the accepted state, 0 in accepted states; crossed_at is the reference
+position of the last of them. Reading any other field is an error.]],
     arguments = { a_contact },
     returns = t.record("fx fy", t.number, "fz?", t.number, "area max_pressure mean_pressure max_penetration", t.number,
       "weighted_penetration? imbalance? slip? debonded? worn_volume?", t.number,

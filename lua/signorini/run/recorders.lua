@@ -53,16 +53,17 @@ end
 local function record_contact(run, model, contact)
   local columns, resultant = {}, model:contact_resultant(contact)
   for _, key in ipairs(contact_columns) do
-    if resultant[key] then columns[key] = recorders.add_column(run, contact .. "." .. key) end
+    if rawget(resultant, key) then columns[key] = recorders.add_column(run, contact .. "." .. key) end
   end
-  local counted = { unsettled = resultant.unsettled, flawed = resultant.flawed }
+  local counted = { unsettled = resultant.unsettled, flawed = rawget(resultant, "flawed") }
   run.recorders[#run.recorders + 1] = function(row)
     local now = model:contact_resultant(contact)
     for key, values in pairs(columns) do values[row] = now[key] end
     for key, before in pairs(counted) do
       if now[key] > before then
         local found = run[key][contact] or { count = 0 }
-        run[key][contact] = { count = found.count + now[key] - before, at = now[key .. "_at"], flaw = now.flaw }
+        local at, flaw = now[key .. "_at"], rawget(now, "flaw")
+        run[key][contact] = { count = found.count + now[key] - before, at = at, flaw = flaw }
         counted[key] = now[key]
       end
     end

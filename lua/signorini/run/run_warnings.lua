@@ -21,7 +21,7 @@ local function ever_acts(run, model, contact)
   local now = model:contact_resultant(contact)
   return lists.any({ "area", "fx", "fy", "fz" }, function(key)
     local values = run.values[contact .. "." .. key] or {}
-    return (now[key] or 0) ~= 0 or lists.any(values, function(value) return value ~= 0 end)
+    return (rawget(now, key) or 0) ~= 0 or lists.any(values, function(value) return value ~= 0 end)
   end)
 end
 
@@ -96,7 +96,7 @@ end
 --- A sentence for two half passes whose forces differ at some row of a run; `contact` is the first of them.
 local function unbalanced(run, model, contact)
   local other = contact .. ".master"
-  if not (model:contact_resultant(contact).imbalance and run.values[other .. ".fx"]) then return nil end
+  if not (rawget(model:contact_resultant(contact), "imbalance") and run.values[other .. ".fx"]) then return nil end
   local largest, most, at = 0, 0, nil
   for row = 1, run.rows do
     largest = math.max(largest, resultant(run, { contact }, row), resultant(run, { other }, row))

@@ -3,6 +3,7 @@
 
 #include "model/steps/model.hpp"
 
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -22,6 +23,11 @@ template <int D> bool has(const Contact<D>& contact, FaceField field) {
   if (field == FaceField::damage) return contact.method.bond.has_value();
   if (field == FaceField::worn) return contact.method.law.wear.has_value();
   return field == FaceField::pressure || may_rub(contact.method.law);
+}
+
+/// The value inside bodies and on faces without it: pressure is 0 there, other fields do not exist.
+constexpr double elsewhere(FaceField field) {
+  return field == FaceField::pressure ? 0 : std::numeric_limits<double>::quiet_NaN();
 }
 
 /// The values at the contact points of one of the slave faces, one column per element of this face; 0 at points outside

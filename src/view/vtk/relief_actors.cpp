@@ -104,6 +104,7 @@ void add_field(vtkRenderer& renderer, const Field& field, const Depth& depth) {
     const Rgb& c = field.colors[i];
     table->SetTableValue(static_cast<vtkIdType>(i), c[0] / 255.0, c[1] / 255.0, c[2] / 255.0);
   }
+  table->SetNanColor(field.missing[0] / 255.0, field.missing[1] / 255.0, field.missing[2] / 255.0, 1);
   table->SetTableRange(field.range[0], field.range[1]);
   const bool plain = field.colors.front() == field.colors.back(); // a body without a field
   const auto mapper = add_actor(renderer, *data, false, plain);

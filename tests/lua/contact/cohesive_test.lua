@@ -232,7 +232,8 @@ check.refusals(start, "study.lua:", {
   { "with(bond):run{ { steps = 1, contacts = { f = { active = false } } } }",
     "contacts.f is cohesive, of which a load path can change penalty and friction alone", "remove active and offset" },
   { "with(bond):run{ { steps = 1, contacts = { f = { offset = 0.1 } } } }", "contacts.f is cohesive" },
-  { "with(bond):run{ { steps = 1, contacts = { f = { friction = { mu = 0.1 } } } } }", "has no friction in sg.model" },
+  { "with(bond):run{ { steps = 1, contacts = { f = { friction = { mu = 0.1 } } } } }",
+    "has no friction or wear in sg.model" },
 })
 
 check.case("bonded bodies with friction turn rigidly without energy", function()

@@ -334,14 +334,14 @@ check.case("wrong constants are errors before anything is solved", function()
   check.fails(function() model:set_contact("joint", {}) end, here, "model:set_contact", "the table is empty")
   wrong(model, { joint = { mu = 0.3 } }, "unknown argument 'mu'", "write friction = { mu = … }")
   wrong(model, { joint = { method = "mortar" } }, "unknown argument 'method'", "give it in sg.model")
-  wrong(smooth, { joint = { friction = { mu = 0.3 } } }, "stages[2]: contacts.joint has no friction in sg.model",
+  wrong(smooth, { joint = { friction = { mu = 0.3 } } }, "contacts.joint has no friction or wear in sg.model",
     "write friction = { mu = 0, … } in sg.model")
   wrong(sticky, { joint = { penalty = 10 } }, "contacts.joint has adhesion", "active alone")
   wrong(passes, { ["joint.master"] = { active = false } }, "unknown argument 'joint.master'", "joint")
   wrong(sg.model{ bodies = { block = block(0, 2, 1) }, supports = {} }, { joint = {} }, "")
   for _, one in ipairs { model, smooth, passes } do check.equal(one:target "grip", { 0, 0 }) end
   check.fails(function() model:set_contact("seat", { active = false }) end, here, "seat")
-  check.fails(function() smooth:set_contact("joint", { friction = { mu = 0.3 } }) end, here, "no friction in sg.model")
+  check.fails(function() smooth:set_contact("joint", { friction = { mu = 0.3 } }) end, here, "has no friction or wear")
   check.fails(function()
     local body = block(0, 2, 1)
     scenes.model{ bodies = { block = body }, supports = { contacts = { on = "south", fix = "xy" } } }

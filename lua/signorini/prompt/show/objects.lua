@@ -100,12 +100,15 @@ local function contact_text(model, name)
   if is_rounding(model, name, now.max_pressure, constants.penalty) then
     return ("  contact %s: touches without a force\n    %s"):format(name, law)
   end
-  local force = map(axes, function(axis) return now["f" .. axis] and ("%.4g"):format(now["f" .. axis]) end)
+  local force = map(axes, function(axis)
+    local part = rawget(now, "f" .. axis)
+    return part and ("%.4g"):format(part)
+  end)
   local text = ("  contact %s: %s, %d slipping; force {%s}, largest pressure %.4g; tractions per %s area")
     :format(name, now.active == 1 and "1 active point" or now.active .. " active points", now.slipping,
       table.concat(force, ", "), now.max_pressure, now.per)
-  if now.debonded then text = ("%s; debonded %.4g"):format(text, now.debonded) end
-  if now.imbalance then text = ("%s; half pass, imbalance %.2g"):format(text, now.imbalance) end
+  if rawget(now, "debonded") then text = ("%s; debonded %.4g"):format(text, now.debonded) end
+  if rawget(now, "imbalance") then text = ("%s; half pass, imbalance %.2g"):format(text, now.imbalance) end
   return ("%s\n    %s"):format(text, law)
 end
 
