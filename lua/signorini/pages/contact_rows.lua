@@ -62,7 +62,8 @@ rows.wear = {
 function(p, v, slip, X, Y, Z) (those that it needs, by name) that returns a formula of the same variables as
 friction.mu]], unit = "1/pressure" },
   { "update", t.choice { "implicit", "explicit" }, [[implicit: the wear of a step acts on its pressure (backward Euler).
-explicit: that of the steps before; unstable where rate × slip of a step × stiffness of the contact exceeds 2]],
+explicit: that of the steps before; unstable, with a warning, where rate × slip of a step × stiffness of the contact
+(the penalty, with method = "mortar" less) exceeds 2]],
     default = "implicit" },
 }
 

@@ -94,17 +94,17 @@ as far as its support frees them, and its angle if that is free. Empty for other
     returns = t.table(), example = "model:free_motion(\"grip\")" },
   { "model:contact_law", [[Returns the constants of a contact: { method, enforcement, per, points, penalty,
 default_penalty, active, offset }, as given to sg.model or by default, in the present state; default_penalty is true
-where the penalty is from material and mesh. With friction also mu, friction_penalty, with a formula of it mu_formula,
-its text, in place of mu, or mu1 and mu2; along, if it depends on the direction; with wear wear_rate, its text; of_rate,
-"friction.mu" or "wear.rate", if that depends on v; with a formula of the pressure pressure, its text, and clearance, in
-place of penalty; with overlap = "interference" overlap, the fraction of the initial overlap that is still allowed; with
-method = "mortar" multipliers; of a cohesive contact strength, energy, law, stiffness, and bonded, the number of points
-with a bond; of one by formula (also of m, and with shear) not law but traction, its text, stiffness, shear, strength
-and energy in opening, shear_strength and shear_energy; with adhesion { method, per, points, active, hamaker, r0 }.
-print(model) shows them.]],
+where the penalty is from material and mesh. With friction or wear also mu, friction_penalty, with a formula of it
+mu_formula, its text, in place of mu, or mu1 and mu2; along, if it depends on the direction; with wear wear_rate, its
+text, and wear_update, "implicit" or "explicit"; of_rate, "friction.mu" or "wear.rate", if that depends on v; with a
+formula of the pressure pressure, its text, and clearance, in place of penalty; with overlap = "interference" overlap,
+the fraction of the initial overlap that is still allowed; with method = "mortar" multipliers; of a cohesive contact
+strength, energy, law, stiffness, and bonded, the number of points with a bond; of one by formula (also of m, and with
+shear) not law but traction, its text, stiffness, shear, strength and energy in opening, shear_strength and
+shear_energy; with adhesion { method, per, points, active, hamaker, r0 }. print(model) shows them.]],
     arguments = { a_contact },
     returns = t.record("method per", t.text, "enforcement? multipliers? law?", t.text,
-      "mu_formula? pressure? wear_rate? of_rate? traction?", t.text, "points bonded?", t.count,
+      "mu_formula? pressure? wear_rate? wear_update? of_rate? traction?", t.text, "points bonded?", t.count,
       "penalty? mu? mu1? mu2? friction_penalty? hamaker? r0? strength? energy? stiffness? offset? overlap? clearance?",
       t.number, "shear? shear_strength? shear_energy?", t.number, "active default_penalty?", t.flag, "along?",
       t.point),

@@ -139,6 +139,7 @@ local function follow(model, list, given, before)
       if result.converged then
         jumps.note(run.jumps, model, run.steps, run.step.length)
         run_warnings.note_law(run, model)
+        run_warnings.note_wear(run, model)
         place.stage, place.number = index, number
         if options.states.wants(run.steps, function() return run:info(stage, result) end) then
           run:store_state(model, stage.name)

@@ -54,7 +54,7 @@ function Run.new(model, path)
     wary = 0, places = {}, wall = 0, stages = {}, controls = {}, fallbacks = {}, energies = {},
     extra = {}, measured = {}, names = {}, values = {}, histories = {}, recorders = {}, stored_states = {},
     before = model:timings(),
-    warnings = {}, unsettled = {}, flawed = {}, unstable_law = false,
+    warnings = {}, unsettled = {}, flawed = {}, unstable_law = false, unstable_wear = {},
     jumps = jumps.record(), overlaps = {}, state_findings = {}, examined = 0,
     unexamined = { states = {}, before = {} }, adaptations = {}, contact_zones = {},
   }, Run)

@@ -1,8 +1,8 @@
 -- Warnings about a run although it completed: those of sg.model about the scene, loads that are not ramped, functions
 -- of stages that jump at their start, loose tolerances, contacts without any active point (wrong face, or a body that
 -- misses the other), contacts switched on where bodies overlap, states at the ends of stages, failed projections, half
--- passes with different forces, unstable equilibria, unstable elastic laws, idle processes of mpirun, and those of the
--- files controls.lua, jumps.lua and energy_balance.lua.
+-- passes with different forces, unstable equilibria, unstable elastic laws, unstable explicit wear, idle processes of
+-- mpirun, and those of the files controls.lua, jumps.lua and energy_balance.lua.
 
 local contact_changes = require "signorini.run.contact_changes"
 local controls = require "signorini.run.controls"
@@ -173,6 +173,28 @@ local function flawed(run, contact)
     counted(found.count, "time"), position(found.at))
 end
 
+-- The product of rate of wear, slip of a step and stiffness of a contact above which explicit wear is unstable.
+local most_explicit_wear = 2
+
+--- Notes in run.unstable_wear, by contact, the first accepted step in which explicit wear is unstable.
+function run_warnings.note_wear(run, model)
+  for _, contact in ipairs(model:contact_names()) do
+    local product = core.explicit_wear(model, contact) -- nil of an object that imitates a model
+    if product and product > most_explicit_wear and not run.unstable_wear[contact] then
+      run.unstable_wear[contact] = { step = run.steps, product = product }
+    end
+  end
+end
+
+--- A sentence for a contact whose explicit wear is unstable.
+local function unstable_wear(run, contact)
+  local found = run.unstable_wear[contact]
+  if not found then return nil end
+  return ("contact '%s': wear.update = \"explicit\" is unstable from step %d on, where rate × slip of the step × "
+    .. "stiffness of the contact is %.3g, more than %d: pressures oscillate from step to step. Hint: take shorter "
+    .. "steps, or write update = \"implicit\""):format(contact, found.step, found.product, most_explicit_wear)
+end
+
 --- Notes in run.unstable_law the first accepted step in which the law of a body, made from an energy, is unstable.
 function run_warnings.note_law(run, model)
   if run.unstable_law then return end
@@ -323,6 +345,7 @@ function run_warnings.of_run(run, model, early)
     texts[#texts + 1] = untouched(run, model, contact)
     texts[#texts + 1] = unsettled(run, contact)
     texts[#texts + 1] = flawed(run, contact)
+    texts[#texts + 1] = unstable_wear(run, contact)
     local text = unbalanced(run, model, contact)
     texts[#texts + 1] = text
     if text then differing = differing or contact end

@@ -6,6 +6,7 @@
 #include "model/diagnosis/weak_hold.hpp"
 #include "model/scene/joins.hpp"
 #include "model/steps/equilibrium.hpp"
+#include "model/warnings/explicit_wear.hpp"
 #include "model/warnings/peak_edge.hpp"
 #include "model/warnings/state_warnings.hpp"
 
@@ -169,6 +170,11 @@ template <int D> bool is_peak_at_edge(const model::Model<D>& model, const std::s
   return model::is_peak_at_edge(model, find(model.system.scene.contacts, name, "contact"));
 }
 
+/// core.explicit_wear(model, contact): see explicit_wear.hpp.
+template <int D> double explicit_wear(const model::Model<D>& model, const std::string& name) {
+  return model::explicit_wear(model, find(model.system.scene.contacts, name, "contact"));
+}
+
 /// core.weak_hold(model): a warning if contacts alone hold a body and hold it weakly; nil otherwise.
 template <int D> std::optional<std::string> weak_hold(model::Model<D>& model) {
   const auto warning = model::weak_hold(model);
@@ -202,6 +208,7 @@ constexpr Function model_core[] = {
     {"is_deformed", call<model::is_deformed<D>>}, // whether bodies are deformed in the accepted state
     {"state_warnings", call<state_warnings<D>>},
     {"is_peak_at_edge", call<is_peak_at_edge<D>>},
+    {"explicit_wear", call<explicit_wear<D>>},
     {"weak_hold", call<weak_hold<D>>},
 };
 

@@ -108,7 +108,9 @@ template <int D> int contact_law(const model::Model<D>& model, const std::string
   else if (contact::may_rub(law))
     set_field(L, "mu", law.friction);
   if (law.along) set_field(L, "along", VectorX(law.along->template head<D>()));
-  if (law.wear) set_field(L, "wear_rate", contact::text_of(*law.wear->rate));
+  if (law.wear)
+    set_fields(L, "wear_rate", contact::text_of(*law.wear->rate), "wear_update",
+               law.wear->update == contact::WearUpdate::after ? "explicit" : "implicit");
   if (contact::of_rate(law))
     set_field(L, "of_rate", law.coefficient && law.coefficient->of_rate ? "friction.mu" : "wear.rate");
   return 1;

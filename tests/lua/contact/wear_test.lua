@@ -7,8 +7,8 @@ local E, nu, height, penalty = 100, 0.3, 0.5, 1e4
 local M = E * (1 - nu) / ((1 + nu) * (1 - 2 * nu)) -- of a block that is held at its sides
 local K = 1 / (1 / penalty + height / M)
 
---- A block on a moving plane; `held`: the top is driven instead of loaded.
-local function block(wear, held, keys)
+--- A block on a moving plane; `held`: the top is driven instead of loaded; `traction`: the load.
+local function block(wear, held, keys, traction)
   local body = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = height }, elements = {4, 2}, order = "N2",
                         contact = "south", material = sg.linear_elastic{ E = E, nu = nu } }
   local plane = sg.rigid.plane{ point = {0, 0}, normal = {0, 1} }
@@ -19,7 +19,8 @@ local function block(wear, held, keys)
                      disc = { on = plane, drive = "x" } }
   if held then supports.top = { on = body:face "north", drive = "y" } end
   return sg.model{ bodies = { block = body }, supports = supports, contacts = { floor = contact },
-                   loads = not held and { weight = { on = body:face "north", traction = {0, -0.2} } } or nil }
+                   loads = not held and { weight = { on = body:face "north", traction = traction or {0, -0.2} } }
+                     or nil }
 end
 
 local function last(run, column) return run:column(column)[#run:column(column)] end
@@ -67,6 +68,32 @@ check.case("above k K s = 2 per step the explicit update oscillates, the implici
   check.equal(pressures("explicit", 2.5)[2], 0) -- worn beyond the contact
 end)
 
+check.case("a warning where pressures of the explicit update oscillate, none where they decay", function()
+  local bodies = 0.25 * (1 - nu ^ 2) / E / math.pi * (2 / math.pi) ^ 4 -- 2 h/(α π E*)
+  local mortar = 1 / (1 / penalty + bodies)
+  local cases = { { 1.5 / penalty }, { 4 / penalty, warned = true }, { 4 / penalty, update = "implicit" },
+                  { 1.5 / penalty, "multipliers" }, { 4 / penalty, "multipliers", warned = true },
+                  { 1.5 / mortar, "mortar" }, { 4 / mortar, "mortar", warned = true } }
+  for _, case in ipairs(cases) do
+    local model = block({ rate = case[1] / 0.1, update = case.update or "explicit" }, false,
+      formulations[case[2] or "points"], function(x) return { 0, -0.01 * (1 + x) } end)
+    local pressures = {}
+    local run = model:run({ { name = "press", steps = 1 }, { name = "slide", steps = 14, disc = 1.4 } }, {
+      on_step = function() pressures[#pressures + 1] = model:profile "floor".pressure end })
+    local function bend(step) -- second difference over steps
+      local largest = 0
+      for i, p in ipairs(pressures[step]) do
+        largest = math.max(largest, math.abs(pressures[step - 1][i] - 2 * p + pressures[step + 1][i]))
+      end
+      return largest
+    end
+    check.equal(bend(14) > 10 * bend(3), case.warned == true)
+    local warnings = lists.filter(run.warnings, function(text) return text:find("wear.update", 1, true) ~= nil end)
+    check.equal(#warnings, case.warned and 1 or 0)
+    if case.warned then check.holds(warnings[1], "contact 'floor'", "unstable from step 2 on", "shorter steps") end
+  end
+end)
+
 check.case("with friction: formulas, balance of energy, the work of friction in addition", function()
   for _, keys in pairs(formulations) do
     local own = { friction = { mu = function(p) return 0.3 - 0.05 * p end, penalty = penalty } }
@@ -103,6 +130,7 @@ check.case("a saved model goes on with its wear", function()
     local loaded = check.reloaded(model)
     check.equal(loaded:profile "floor".worn, model:profile "floor".worn)
     check.equal(loaded:contact_law "floor".wear_rate, model:contact_law "floor".wear_rate)
+    check.equal(loaded:contact_law "floor".wear_update, "implicit")
     local on = { { name = "on", steps = 2, disc = 2 } }
     check.equal(last(loaded:run(on), "floor.worn_volume"), last(model:run(on), "floor.worn_volume"))
   end

@@ -71,7 +71,9 @@ local function law_text(law)
     local words = map(law.along, function(x) return ("%.4g"):format(x) end)
     parts[#parts + 1] = ("along = {%s}"):format(table.concat(words, ", "))
   end
-  if law.wear_rate then parts[#parts + 1] = "wear.rate = " .. law.wear_rate end
+  if law.wear_rate then
+    parts[#parts + 1] = ('wear.rate = %s, wear.update = "%s"'):format(law.wear_rate, law.wear_update)
+  end
   if law.traction then parts[#parts + 1] = "traction = " .. law.traction end
   if law.bonded then parts[#parts + 1] = counted(law.bonded, "bonded point") end
   if law.offset and law.offset ~= 0 then parts[#parts + 1] = ("offset = %.4g"):format(law.offset) end
