@@ -74,6 +74,22 @@ inline constexpr double end_extension = 0.3;
 /// Where the length of the last elements is sampled along each element of a border, from 0 to 1.
 inline constexpr double border_samples[] = {0, 0.5, 1};
 
+// ── Sets of faces ────────────────────────────────────────────────────────────────────────────────────────────────────
+
+/// A foot on the own body counts if the angle of the normals of point and foot is at least this, 60° in radians: a
+/// smooth piece that turns by less has no contact with itself [theory 8.4].
+inline constexpr double least_facing = 1.0471975511965976;
+inline constexpr double least_facing_cosine = 0.5;
+/// Depth up to which a foot counts, of the thickness behind it and, of the own body, of the distance in the reference
+/// configuration: beyond the first a point belongs to the other side, beyond the second to the corner that it comes
+/// from.
+inline constexpr double deepest_part = 0.5;
+inline constexpr double deepest_own = 0.25;
+/// How far a point looks for feet on its own body, in elements, unless its motion may have led it farther.
+inline constexpr double near_elements = 3;
+/// Turning of normals, 10° in radians, after which points look for parts of their body that they could not see before.
+inline constexpr double turning_margin = 0.17453292519943295;
+
 // ── Points per element ───────────────────────────────────────────────────────────────────────────────────────────────
 
 /// A closed element has its full rule while its least pressure is below this fraction of its largest: the border of the

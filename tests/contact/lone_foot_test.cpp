@@ -72,7 +72,7 @@ template <int D> int expect_lone_feet(unsigned seed) {
       if (most == 0) continue;
       surface.locate(e, place<D>(surface, e, uniform(random, 0.0, 1.0), uniform(random, 0.0, 1.0)), 2, foot);
       const double distance = most * uniform(random, 0.5, 1.0);
-      const Vec<D> normal = surface.outward(foot.tangent).normalized() * (integer(random, 0, 1) == 0 ? 1 : -1);
+      const Vec<D> normal = outward(surface, foot).normalized() * (integer(random, 0, 1) == 0 ? 1 : -1);
       const Vec<D> x = foot.position + distance * normal;
       ++tested;
       for (int other = 0; other < surface.elements(); ++other) {

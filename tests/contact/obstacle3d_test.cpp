@@ -149,7 +149,7 @@ TEST(ObstacleIn3D, SlipPointOnASurfaceKeepsLengthAndDirection) {
     EXPECT_NEAR(rest.norm(), length, 1e-12);
     // The slip point's offset from the chord is along the normal.
     const Vec<3> off = rest - chord * chord.dot(rest) / chord.squaredNorm();
-    const Vec<3> normal = surface.outward(after.tangent).normalized();
+    const Vec<3> normal = outward(surface, after).normalized();
     EXPECT_LE((off - normal * normal.dot(off)).norm(), 0.3 * off.norm() + 1e-12);
   }
 }

@@ -117,11 +117,11 @@ TEST(OpenEnd, TheFadeDecreasesFromOneToZeroWithContinuousSlope) {
   face.extend(0.4, 0.2);
   for (int a = 0; a < 2; ++a) to[static_cast<std::size_t>(a)] = face.direction(a).first();
   FaceCoordinates<3> rate, unused;
-  EXPECT_EQ(face.extension().fade({from[0] + 1e-9, from[1]}, rate), 1);
+  EXPECT_EQ(face.sheet_data().extension.fade({from[0] + 1e-9, from[1]}, rate), 1);
   EXPECT_EQ(rate, Eigen::Vector2d(0, 0));
-  EXPECT_NEAR(face.extension().fade({(from[0] + to[0]) / 2, from[1]}, rate), 0.5, 1e-14);
-  EXPECT_NEAR(face.extension().fade({(from[0] + to[0]) / 2, (from[1] + to[1]) / 2}, rate), 0.25, 1e-14);
-  EXPECT_NEAR(face.extension().fade({to[0], from[1]}, rate), 0, 1e-15);
+  EXPECT_NEAR(face.sheet_data().extension.fade({(from[0] + to[0]) / 2, from[1]}, rate), 0.5, 1e-14);
+  EXPECT_NEAR(face.sheet_data().extension.fade({(from[0] + to[0]) / 2, (from[1] + to[1]) / 2}, rate), 0.25, 1e-14);
+  EXPECT_NEAR(face.sheet_data().extension.fade({to[0], from[1]}, rate), 0, 1e-15);
   EXPECT_NEAR(rate.norm(), 0, 1e-12);
   for (int trial = 0; trial < 20; ++trial) {
     FaceCoordinates<3> xi;
@@ -131,11 +131,12 @@ TEST(OpenEnd, TheFadeDecreasesFromOneToZeroWithContinuousSlope) {
                   ? uniform(random, to[static_cast<std::size_t>(a)], beyond)
                   : uniform(random, to[static_cast<std::size_t>(a)], from[static_cast<std::size_t>(a)]);
     }
-    face.extension().fade(xi, rate);
+    face.sheet_data().extension.fade(xi, rate);
     for (int a = 0; a < 2; ++a)
       EXPECT_NEAR(
           signorini::test::derivative<double>(
-              [&](double h) { return face.extension().fade(xi + h * FaceCoordinates<3>::Unit(a), unused); }, 1e-6),
+              [&](double h) { return face.sheet_data().extension.fade(xi + h * FaceCoordinates<3>::Unit(a), unused); },
+              1e-6),
           rate(a), 1e-7);
   }
 }

@@ -72,7 +72,7 @@ template <class Drawn> double largest_error(Random& random, const Drawn& draw) {
       const Draw drawn = draw(trial, corner, length);
       FacePoint<3> at, foot;
       face.locate(face.find_element(drawn.place), drawn.place, 1, at);
-      const Vec<3> x = at.position + 0.05 * face.outward(at.tangent).normalized();
+      const Vec<3> x = at.position + 0.05 * outward(face, at).normalized();
       Projection<3> seed;
       seed.element = 0;
       seed.xi = drawn.start;

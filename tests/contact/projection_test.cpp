@@ -89,7 +89,7 @@ TEST(Projection, IsTheGlobalMinimumFromAnySeed) {
       case Foot::regular:
         ++regular;
         EXPECT_NEAR(slope, 0, 1e-8);
-        EXPECT_NEAR(found.gap, (x - point.position).dot(surface.outward(point.tangent).normalized()), 1e-14);
+        EXPECT_NEAR(found.gap, (x - point.position).dot(outward(surface, point).normalized()), 1e-14);
         break;
       case Foot::corner:
         ++corners;

@@ -106,15 +106,14 @@ template <int D> void normals_point_out(const nurbs::Patch& patch) {
           xi(k) = on_face(alpha++) = 0.3 * a + 0.7 * b;
         }
         surface.locate(e, on_face, 1, point);
-        const Vec<D> outward = surface.outward(point.tangent);
+        const Vec<D> out = outward(surface, point);
         const Vec<D> leaving =
             (at_end ? 1 : -1) * nurbs::derivatives(patch, xi, 1)[1 + static_cast<std::size_t>(d)].value;
-        EXPECT_GT(outward.dot(leaving), 0.1 * outward.norm() * leaving.norm()) << nurbs::name_of(side);
+        EXPECT_GT(out.dot(leaving), 0.1 * out.norm() * leaving.norm()) << nurbs::name_of(side);
         double measure = point.tangent[0].norm();
-        for (const auto& tangent : point.tangent)
-          EXPECT_NEAR(outward.dot(tangent), 0, 1e-13 * outward.norm() * tangent.norm());
+        for (const auto& tangent : point.tangent) EXPECT_NEAR(out.dot(tangent), 0, 1e-13 * out.norm() * tangent.norm());
         if constexpr (D == 3) measure = point.tangent[0].cross(point.tangent[1]).norm();
-        EXPECT_NEAR(outward.norm(), measure, 1e-13 * measure);
+        EXPECT_NEAR(out.norm(), measure, 1e-13 * measure);
       }
     }
 }

@@ -68,19 +68,18 @@ Foot walk(const Surface<2>& surface, const Vec<2>& x, int element, double start,
   Stop stop = descend(surface, x, element, start, point);
   for (int moves = 0; stop != Stop::inside && moves < surface.elements(); ++moves) {
     const bool forward = stop == Stop::end;
-    const int next = surface.neighbor(element, 0, forward);
-    if (next < 0) return Foot::none;
-    const double border = point.xi(0);
+    const Entry<2> next = across(surface, element, 0, forward, point.xi);
+    if (next.element < 0) return Foot::none;
     FaceGeometry<2> beyond;
-    const Stop other = descend(surface, x, next, border, beyond);
-    if (other == (forward ? Stop::start : Stop::end)) {
+    const Stop other = descend(surface, x, next.element, next.xi(0), beyond);
+    if (other == (next.at_end ? Stop::end : Stop::start)) {
       // The distance increases on both sides of the border: a kink, or on a smooth curve a minimum at the border up to
       // rounding error.
       const double sine = std::abs(point.tangent[0].normalized().dot(
           Vec<2>(-beyond.tangent[0].normalized()(1), beyond.tangent[0].normalized()(0))));
       return sine < same_place ? Foot::regular : Foot::corner;
     }
-    element = next;
+    element = next.element;
     point = beyond;
     stop = other;
   }
@@ -108,53 +107,76 @@ template <class Search> void each_start(const Surface<2>& surface, const Vec<2>&
 /// Signed gap at the closest point. At a corner the sum of the two one-sided normals determines the side of x.
 double signed_gap(const Surface<2>& surface, const Vec<2>& x, Foot foot, const FaceGeometry<2>& point) {
   const Vec<2> difference = x - point.position;
-  Vec<2> normal = surface.outward(point.tangent).normalized();
+  Vec<2> normal = outward(surface, point).normalized();
   if (foot == Foot::regular) return difference.dot(normal);
   if (foot == Foot::corner) {
     const bool at_end = point.xi(0) >= surface.interval(point.element, 0)[1];
-    const int other = surface.neighbor(point.element, 0, at_end);
-    if (other >= 0) {
+    const Entry<2> other = across(surface, point.element, 0, at_end, point.xi);
+    if (other.element >= 0) {
       FaceGeometry<2> beyond;
-      surface.locate(other, point.xi, 1, beyond);
-      normal += surface.outward(beyond.tangent).normalized();
+      surface.locate(other.element, other.xi, 1, beyond);
+      normal += outward(surface, beyond).normalized();
     }
   }
   return std::copysign(difference.norm(), difference.dot(normal));
 }
 
+/// True if a local minimum counts for a point of a set.
+bool counts(const Surface<2>& surface, const Vec<2>& x, Foot foot, const FaceGeometry<2>& point, const Lookout<2>& from,
+            bool kept) {
+  if (!from.set) return true;
+  const double gap = signed_gap(surface, x, foot, point);
+  const bool regular = foot == Foot::regular || foot == Foot::none;
+  return admissible<2>(from, point,
+                       regular ? Vec<2>(outward(surface, point).normalized()) : Vec<2>((x - point.position) / gap), gap,
+                       kept);
+}
+
 } // namespace
 
+void walk(const Surface<2>& surface, const Vec<2>& x, int element, const FaceCoordinates<2>& start,
+          FaceGeometry<2>& point) {
+  walk(surface, x, element, start(0), point);
+}
+
 Projection<2> project(const Surface<2>& surface, const ElementBoxes<2>& boxes, const Vec<2>& x,
-                      const Projection<2>& seed, FaceGeometry<2>& point) {
+                      const Projection<2>& seed, FaceGeometry<2>& point, const Lookout<2>& from) {
   Projection<2> best;
-  double nearest = std::numeric_limits<double>::infinity();
-  bool settled = false; // the foot point's element and its neighbors need no further search
+  double nearest = from.farthest * from.farthest;
+  bool settled = false, found = false; // settled: the foot point's element and its neighbors need no further search
+  FaceGeometry<2> candidate;
   if (seed.element >= 0) {
-    best.foot = walk(surface, x, seed.element, seed.xi(0), point);
-    nearest = (x - point.position).squaredNorm();
-    settled = best.foot == Foot::regular && point.settled && nearest < boxes.unique_distance2(point.element);
+    const Foot foot = walk(surface, x, seed.element, seed.xi(0), candidate);
+    const double distance2 = (x - candidate.position).squaredNorm();
+    if (distance2 < nearest && counts(surface, x, foot, candidate, from, seed.gap < 0)) {
+      found = true;
+      nearest = distance2;
+      best.foot = foot;
+      point = candidate;
+      settled = foot == Foot::regular && point.settled && nearest < boxes.unique_distance2(point.element);
+    }
   }
   const int home = settled ? point.element : -1;
 
-  FaceGeometry<2> candidate;
   // A minimum on a border is reached from both sides; the factor keeps rounding error from choosing one.
   boxes.near(
-      x, [&] { return nearest * (1 - same_distance); },
+      x, from.sight, [&] { return nearest * (1 - same_distance); },
       [&](int e) {
         if (settled && smoothly_adjacent(surface, home, e)) return;
         each_start(surface, x, e, [&](double start) {
           const Foot foot = walk(surface, x, e, start, candidate);
           const double distance2 = (x - candidate.position).squaredNorm();
-          if (distance2 >= nearest * (1 - same_distance)) return;
+          if (distance2 >= nearest * (1 - same_distance) || !counts(surface, x, foot, candidate, from, false)) return;
+          found = true;
           nearest = distance2;
           best.foot = foot;
           point = candidate;
         });
       });
 
-  if (!(nearest < std::numeric_limits<double>::infinity())) { // squares of distances overflow
+  if (!found) { // or squares of distances overflow
     surface.locate(0, FaceCoordinates<2>(surface.interval(0, 0)[0]), 2, point);
-    return {Foot::none, 0, 0, point.xi, std::numeric_limits<double>::max(), 0};
+    return {Foot::none, from.set ? -1 : 0, 0, point.xi, std::numeric_limits<double>::max(), 0};
   }
   best.element = point.element;
   best.xi = point.xi;

@@ -160,7 +160,7 @@ Vec<3> normal_near(const Surface<3>& surface, int element, Coordinates xi) {
       inward(a) += t * ((from + to) / 2 - xi(a));
     }
     surface.locate(element, inward, 1, point);
-    const Vec<3> normal = surface.outward(point.tangent);
+    const Vec<3> normal = outward(surface, point);
     if (normal.norm() > least_sine * point.tangent[0].norm() * point.tangent[1].norm() && normal.norm() > 0)
       return normal.normalized();
   }
@@ -171,14 +171,14 @@ Vec<3> normal_near(const Surface<3>& surface, int element, Coordinates xi) {
 /// adjacent elements determine the side of x.
 double signed_gap(const Surface<3>& surface, const Vec<3>& x, Foot foot, const FaceGeometry<3>& point) {
   const Vec<3> difference = x - point.position;
-  if (foot == Foot::regular) return difference.dot(surface.outward(point.tangent).normalized());
+  if (foot == Foot::regular) return difference.dot(outward(surface, point).normalized());
   Vec<3> normal = normal_near(surface, point.element, point.xi);
   for (int a = 0; a < 2; ++a) {
     const auto [from, to] = surface.interval(point.element, a);
     for (bool at_end : {false, true}) {
       if (point.xi(a) != (at_end ? to : from)) continue;
-      const int other = surface.neighbor(point.element, a, at_end);
-      if (other >= 0) normal += normal_near(surface, other, point.xi);
+      const Entry<3> other = across(surface, point.element, a, at_end, point.xi);
+      if (other.element >= 0) normal += normal_near(surface, other.element, other.xi);
     }
   }
   return std::copysign(difference.norm(), difference.dot(normal));
@@ -265,15 +265,16 @@ EdgeStop approach(const Surface<3>& surface, const Vec<3>& x, int element, const
     moved = false;
     for (int a = 0; a < 2 && !moved; ++a) {
       if (active[a] == 0) continue;
-      const int next = surface.neighbor(point.element, a, active[a] > 0);
-      if (next < 0) continue;
-      const EdgeStop other = descend(surface, x, next, point.xi, beyond);
+      const Entry<3> next = across(surface, point.element, a, active[a] > 0, point.xi);
+      if (next.element < 0) continue;
+      const EdgeStop other = descend(surface, x, next.element, next.xi, beyond);
       // Across a smooth border the squared distance may decrease by less than its rounding error, though the foot is
       // still 1e-7 of the distance off: there a search that does not lead back is followed, a few times, so that
       // elements do not lead to each other in turn.
       const double here2 = (point.position - x).squaredNorm(), there2 = (beyond.position - x).squaredNorm();
       const bool nearer = there2 < here2 * (1 - distance_rounding);
-      const bool onward = level < most_level_moves && there2 <= here2 * (1 + same_distance) && other[a] != -active[a];
+      const bool onward = level < most_level_moves && there2 <= here2 * (1 + same_distance) &&
+                          other[next.alpha] != (next.at_end ? 1 : -1);
       if (!nearer && !onward) continue;
       level += !nearer;
       point = beyond;
@@ -293,12 +294,13 @@ Foot kind_of(const Surface<3>& surface, const ElementBoxes<3>& boxes, const Edge
   for (int a = 0; a < 2; ++a) {
     if (active[a] == 0) continue;
     const bool at_end = active[a] > 0;
-    const int next = surface.neighbor(point.element, a, at_end);
-    if (next < 0) {
+    const Entry<3> next = across(surface, point.element, a, at_end, point.xi);
+    if (next.element < 0) {
       if (!collapsed(surface, point.element, a, at_end)) return Foot::none;
       pole = true;
     } else {
-      const Vec<3> here = normal_near(surface, point.element, point.xi), there = normal_near(surface, next, point.xi);
+      const Vec<3> here = normal_near(surface, point.element, point.xi);
+      const Vec<3> there = normal_near(surface, next.element, next.xi);
       kink[a] = here.cross(there).norm() >= same_place;
     }
   }
@@ -308,6 +310,17 @@ Foot kind_of(const Surface<3>& surface, const ElementBoxes<3>& boxes, const Edge
   return Foot::edge;
 }
 
+/// True if a local minimum counts for a point of a set.
+bool counts(const Surface<3>& surface, const Vec<3>& x, Foot foot, const FaceGeometry<3>& point, const Lookout<3>& from,
+            bool kept) {
+  if (!from.set) return true;
+  const double gap = signed_gap(surface, x, foot, point);
+  const bool regular = foot == Foot::regular || foot == Foot::none;
+  return admissible<3>(from, point,
+                       regular ? Vec<3>(outward(surface, point).normalized()) : Vec<3>((x - point.position) / gap), gap,
+                       kept);
+}
+
 } // namespace
 
 void walk(const Surface<3>& surface, const Vec<3>& x, int element, const Coordinates& start, FaceGeometry<3>& point) {
@@ -315,25 +328,33 @@ void walk(const Surface<3>& surface, const Vec<3>& x, int element, const Coordin
 }
 
 Projection<3> project(const Surface<3>& surface, const ElementBoxes<3>& boxes, const Vec<3>& x,
-                      const Projection<3>& seed, FaceGeometry<3>& point) {
+                      const Projection<3>& seed, FaceGeometry<3>& point, const Lookout<3>& from) {
   Projection<3> best;
-  double nearest = std::numeric_limits<double>::infinity();
-  bool settled = false; // the foot point's element and its neighbors need no further search
+  double nearest = from.farthest * from.farthest;
+  bool settled = false, found = false; // settled: the foot point's element and its neighbors need no further search
+  FaceGeometry<3> candidate;
   if (seed.element >= 0) {
-    const EdgeStop active = approach(surface, x, seed.element, seed.xi, point);
-    best.foot = kind_of(surface, boxes, active, point, best.along);
-    nearest = (x - point.position).squaredNorm();
-    settled = best.foot == Foot::regular && point.settled && nearest < boxes.unique_distance2(point.element);
+    const EdgeStop active = approach(surface, x, seed.element, seed.xi, candidate);
+    int along = 0;
+    const Foot foot = kind_of(surface, boxes, active, candidate, along);
+    const double distance2 = (x - candidate.position).squaredNorm();
+    if (distance2 < nearest && counts(surface, x, foot, candidate, from, seed.gap < 0)) {
+      found = true;
+      nearest = distance2;
+      best.foot = foot;
+      best.along = along;
+      point = candidate;
+      settled = foot == Foot::regular && point.settled && nearest < boxes.unique_distance2(point.element);
+    }
   }
   const int home = settled ? point.element : -1;
 
-  FaceGeometry<3> candidate;
   // A minimum on a border is reached from both sides; the factor keeps rounding error from choosing one.
   const auto within = [&] { return nearest * (1 - same_distance); };
-  boxes.near(x, within, [&](int e) {
+  boxes.near(x, from.sight, within, [&](int e) {
     if (settled && smoothly_adjacent(surface, home, e)) return;
     // The plane through the point found, normal to the line to it, separates x from an element that lies behind it.
-    if (nearest < std::numeric_limits<double>::infinity()) {
+    if (found) {
       const Vec<3> line = point.position - x;
       if (least_along<3>(surface.bezier(e), line) - line.dot(x) >= std::sqrt(nearest * within())) return;
     }
@@ -341,16 +362,20 @@ Projection<3> project(const Surface<3>& surface, const ElementBoxes<3>& boxes, c
       const EdgeStop active = approach(surface, x, e, start, candidate);
       const double distance2 = (x - candidate.position).squaredNorm();
       if (distance2 >= nearest * (1 - same_distance)) return;
+      int along = 0;
+      const Foot foot = kind_of(surface, boxes, active, candidate, along);
+      if (!counts(surface, x, foot, candidate, from, false)) return;
+      found = true;
       nearest = distance2;
-      best.along = 0;
-      best.foot = kind_of(surface, boxes, active, candidate, best.along);
+      best.along = along;
+      best.foot = foot;
       point = candidate;
     });
   });
 
-  if (!(nearest < std::numeric_limits<double>::infinity())) { // squares of distances overflow
+  if (!found) { // or squares of distances overflow
     surface.locate(0, Coordinates(surface.interval(0, 0)[0], surface.interval(0, 1)[0]), 2, point);
-    return {Foot::none, 0, 0, point.xi, std::numeric_limits<double>::max(), 0};
+    return {Foot::none, from.set ? -1 : 0, 0, point.xi, std::numeric_limits<double>::max(), 0};
   }
   best.element = point.element;
   best.xi = point.xi;

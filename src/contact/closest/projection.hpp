@@ -1,8 +1,8 @@
 #pragma once
 // Closest-point projection of a slave point onto a master curve or surface: the global minimum of the distance.
 
+#include "contact/closest/admissible.hpp"
 #include "contact/constants.hpp"
-#include "contact/face/search.hpp"
 
 namespace signorini::contact {
 
@@ -34,14 +34,19 @@ template <int D> struct Projection {
 /// border of a surface that is collapsed to one point, such as a sphere's pole, is not open: as closest point it is a
 /// corner.
 ///
+/// From a point of a set of faces, `from`, the closest of the admissible minima that are not too far counts; without
+/// one there is none: Foot::none with element −1.
+///
 /// point.settled is true if the last step was below `foot_tolerance`, false if the search reached its limit of
 /// iterations or of moves between elements.
 Projection<2> project(const Surface<2>& surface, const ElementBoxes<2>& boxes, const Vec<2>& x,
-                      const Projection<2>& seed, FaceGeometry<2>& point);
+                      const Projection<2>& seed, FaceGeometry<2>& point, const Lookout<2>& from = {});
 Projection<3> project(const Surface<3>& surface, const ElementBoxes<3>& boxes, const Vec<3>& x,
-                      const Projection<3>& seed, FaceGeometry<3>& point);
+                      const Projection<3>& seed, FaceGeometry<3>& point, const Lookout<3>& from = {});
 
 /// The local minimum of the distance reached by descent from an element and parameter; geometry in `point` (order 2).
+void walk(const Surface<2>& surface, const Vec<2>& x, int element, const FaceCoordinates<2>& start,
+          FaceGeometry<2>& point);
 void walk(const Surface<3>& surface, const Vec<3>& x, int element, const FaceCoordinates<3>& start,
           FaceGeometry<3>& point);
 

@@ -12,24 +12,35 @@ namespace signorini::contact {
 /// Parametric coordinates on a face.
 template <int D> using FaceCoordinates = Eigen::Matrix<double, D - 1, 1>;
 
-/// Elements are numbered with the first direction fastest; face-local indices number the functions in the same way.
+/// One or several sheets, tensor products each. Elements are numbered sheet by sheet with the first direction fastest;
+/// face-local indices number the functions in the same way. The intervals of ξ¹ of the sheets are apart and increase,
+/// so that xi tells the sheet.
 template <int D> class FaceMesh {
 public:
+  /// One sheet, from its directions.
   explicit FaceMesh(std::vector<nurbs::Space1D> directions);
+  explicit FaceMesh(std::vector<std::vector<nurbs::Space1D>> sheets);
 
   int elements() const { return std::ssize(elements_); }
-  const nurbs::Space1D& direction(int alpha) const { return spaces_[alpha]; }
-  /// Index of an element along the face's direction α.
+  int sheets() const { return std::ssize(first_element_) - 1; }
+  int sheet(int element) const { return elements_[element].sheet; }
+  int sheet_at(const FaceCoordinates<D>& xi) const;
+  int first_element(int sheet) const { return first_element_[sheet]; }
+  int first_function(int sheet) const;
+  const nurbs::Space1D& direction(int alpha, int sheet = 0) const { return spaces_[sheet * (D - 1) + alpha]; }
+  /// Direction α of the sheet of an element.
+  const nurbs::Space1D& along(int element, int alpha) const { return direction(alpha, sheet(element)); }
+  /// Index of an element along its sheet's direction α.
   int index(int element, int alpha) const { return elements_[element].index[alpha]; }
   /// Degree of an element along direction α.
-  int degree(int element, int alpha) const { return direction(alpha).degree(index(element, alpha)); }
+  int degree(int element, int alpha) const { return along(element, alpha).degree(index(element, alpha)); }
   /// Parametric interval of an element in direction α.
   std::array<double, 2> interval(int element, int alpha) const {
-    return direction(alpha).interval(index(element, alpha));
+    return along(element, alpha).interval(index(element, alpha));
   }
   /// The element that contains xi.
   int find_element(const FaceCoordinates<D>& xi) const;
-  /// The element that shares the border of `element` at the start or end of direction α; −1 at the face's end.
+  /// The element that shares the border of `element` at the start or end of direction α; −1 at the sheet's end.
   int neighbor(int element, int alpha, bool at_end) const;
 
   /// Number of functions on an element, and the largest of all elements.
@@ -41,14 +52,15 @@ public:
   std::size_t first_bezier(int element) const { return first_bezier_[element]; }
 
 private:
-  /// Indices per direction, number of functions, and offset into nodes_.
+  /// Indices per direction, sheet, number of functions, and offset into nodes_.
   struct Element {
     std::array<int, D - 1> index;
-    int functions;
+    int sheet, functions;
     std::size_t nodes;
   };
 
-  std::vector<nurbs::Space1D> spaces_; ///< one per direction
+  std::vector<nurbs::Space1D> spaces_; ///< per sheet one per direction
+  std::vector<int> first_element_{0};  ///< by sheet
   std::vector<Element> elements_;
   std::vector<int> nodes_;
   std::vector<std::size_t> first_bezier_{0};

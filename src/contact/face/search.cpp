@@ -1,5 +1,7 @@
 #include "contact/face/search.hpp"
 
+#include "contact/constants.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -40,18 +42,24 @@ template <int D> double least_ambiguous2(const DerivativeBounds<D>& bounds) {
 
 /// True if a border of an element is smooth or an open end: not a kink, a pole or a seam.
 template <int D> bool is_plain_border(const Surface<D>& surface, int element, int alpha, bool at_end) {
-  if (surface.neighbor(element, alpha, at_end) < 0) return surface.extension().lengths[alpha][at_end] > 0;
-  return surface.direction(alpha).smoothness()[surface.index(element, alpha) + at_end] > 0;
+  if (surface.neighbor(element, alpha, at_end) < 0)
+    return surface.sheet_data(surface.sheet(element)).extension.lengths[alpha][at_end] > 0;
+  return surface.along(element, alpha).smoothness()[surface.index(element, alpha) + at_end] > 0;
+}
+
+/// Indices of an element in its sheet.
+template <int D> std::array<int, 2> place_of(const Surface<D>& surface, int element) {
+  return {surface.index(element, 0), D == 2 ? 0 : surface.index(element, D - 2)};
 }
 
 } // namespace
 
 template <int D> Neighborhood smooth_neighborhood(const Surface<D>& surface, int element) {
-  const int n = surface.direction(0).elements();
-  Neighborhood block{{element % n, element / n}, {element % n, element / n}};
+  const std::array<int, 2> place = place_of(surface, element);
+  Neighborhood block{place, place};
   for (std::size_t d = 0; d < D - 1; ++d) {
     // No border is smooth at the ends.
-    const std::vector<int>& smoothness = surface.direction(static_cast<int>(d)).smoothness();
+    const std::vector<int>& smoothness = surface.along(element, static_cast<int>(d)).smoothness();
     const int own = block.first[d];
     if (smoothness[own] > 0) --block.first[d];
     if (smoothness[own + 1] > 0) ++block.last[d];
@@ -60,21 +68,21 @@ template <int D> Neighborhood smooth_neighborhood(const Surface<D>& surface, int
 }
 
 template <int D> bool smoothly_adjacent(const Surface<D>& surface, int element, int other) {
-  const int n = surface.direction(0).elements();
-  const std::array<int, 2> place{other % n, other / n};
+  if (surface.sheet(element) != surface.sheet(other)) return false;
+  const std::array<int, 2> place = place_of(surface, other);
   const Neighborhood block = smooth_neighborhood(surface, element);
   return block.first[0] <= place[0] && place[0] <= block.last[0] && block.first[1] <= place[1] &&
          place[1] <= block.last[1];
 }
 
 template <int D> void ElementBoxes<D>::find_unique_distances(const Surface<D>& surface) {
-  const int n = surface.direction(0).elements();
   unique_distance2_.resize(bounds_.size());
   for (int e = 0; e < surface.elements(); ++e) {
+    const int n = surface.along(e, 0).elements(), start = surface.first_element(surface.sheet(e));
     const Neighborhood block = smooth_neighborhood(surface, e);
     DerivativeBounds<D> all = bounds_[e];
     for (int j = block.first[1]; j <= block.last[1]; ++j)
-      for (int i = block.first[0]; i <= block.last[0]; ++i) all.include(bounds_[i + n * j]);
+      for (int i = block.first[0]; i <= block.last[0]; ++i) all.include(bounds_[start + i + n * j]);
     unique_distance2_[e] = least_ambiguous2(all);
   }
 }
@@ -82,8 +90,9 @@ template <int D> void ElementBoxes<D>::find_unique_distances(const Surface<D>& s
 /// Where (x − x(ξ))·τ_α > 0 on all elements of a node, x(ξ) and τ_α in their boxes, the distance decreases along ξ^α up
 /// to their last border. If that is an open end or smooth, the closest point of the face is at the end or on other
 /// elements. For the other sign the same holds for their first border [theory 5.10].
-template <int D> bool ElementBoxes<D>::may_have_foot(int index, const Vec<D>& x) const {
+template <int D> bool ElementBoxes<D>::may_have_foot(int index, const Vec<D>& x, const Sight<D>& sight) const {
   const Node& node = nodes_[index];
+  if (sight.body >= 0 && !sees(index, sight, node.box.distance2(x))) return false;
   const Vec<D> first = x - node.box.upper, last = x - node.box.lower;
   for (std::size_t alpha = 0; alpha < D - 1; ++alpha) {
     const Box& tangent = node.tangents[alpha];
@@ -92,14 +101,13 @@ template <int D> bool ElementBoxes<D>::may_have_foot(int index, const Vec<D>& x)
     if (node.plain[alpha][1] && a.cwiseMin(b).cwiseMin(c).cwiseMin(d).sum() > 0) return false;
     if (node.plain[alpha][0] && a.cwiseMax(b).cwiseMax(c).cwiseMax(d).sum() < 0) return false;
   }
-  return node.element >= 0 || may_have_foot(index + 1, x) || may_have_foot(node.second, x);
+  return node.element >= 0 || may_have_foot(index + 1, x, sight) || may_have_foot(node.second, x, sight);
 }
 
 template <int D> void ElementBoxes<D>::update(const Surface<D>& surface) {
   if (nodes_.empty()) {
-    const int u = surface.direction(0).elements();
     leaves_.resize(surface.elements());
-    build(surface, {0, 0}, {u, surface.elements() / u});
+    build_sheets(surface, 0, surface.sheets());
   }
   bounds_.clear();
   for (int e = 0; e < surface.elements(); ++e) bounds_.push_back(derivative_bounds(surface.bezier(e)));
@@ -116,16 +124,89 @@ template <int D> void ElementBoxes<D>::update(const Surface<D>& surface) {
     for (std::size_t d = 0; d < D - 1; ++d) node.tangents[d] = a.tangents[d].joined(b.tangents[d]);
   }
   find_unique_distances(surface);
+  if (!bodies_.empty()) update_cones(surface);
 }
 
-/// Builds the tree of the elements first … last − 1 in both directions.
+// ── What points see ──────────────────────────────────────────────────────────────────────────────────────────────────
+
+template <int D> void ElementBoxes<D>::update_cones(const Surface<D>& surface) {
+  const bool first = facing_.empty();
+  facing_.resize(nodes_.size());
+  double turned = 0;
+  for (std::size_t i = nodes_.size(); i-- > 0;) {
+    const Node& node = nodes_[i];
+    Facing& facing = facing_[i];
+    if (node.element >= 0) {
+      const int sheet = surface.sheet(node.element);
+      const NormalCone<D> cone = normal_cone(bounds_[node.element], surface.sheet_data(sheet).orientation);
+      turned = std::max(turned, contact::turned(facing.cone, cone));
+      facing.body = bodies_[sheet];
+      facing.cone = cone;
+    } else {
+      const Facing &a = facing_[i + 1], &b = facing_[node.second];
+      facing.body = a.body == b.body ? a.body : -1;
+      facing.cone = joined(a.cone, b.cone);
+    }
+    // A normal of the cone is at least (angle to the axis) − half away.
+    const auto limit = [&](double least) {
+      return least > facing.cone.half ? std::cos(least - facing.cone.half) : 1.0;
+    };
+    facing.hides = limit(least_facing);
+    facing.stays_hidden = limit(least_facing - turning_margin);
+  }
+  if (!first) turned_ += 2 * turned; // the point's normal turns as well
+}
+
+template <int D> bool ElementBoxes<D>::take_turning() {
+  if (turned_ < turning_margin) return false;
+  turned_ = 0;
+  return true;
+}
+
 template <int D>
-void ElementBoxes<D>::build(const Surface<D>& surface, std::array<int, 2> first, std::array<int, 2> last) {
+double ElementBoxes<D>::distance_in_sight(const Vec<D>& x, const Sight<D>& sight, double longest) const {
+  double least2 = longest * longest;
+  const auto visit = [&](int index, const auto& self) -> void {
+    const double own = nodes_[index].box.distance2(x);
+    const int body = facing_[index].body;
+    if (own >= least2 || (body >= 0 && body != sight.body)) return;
+    if (body >= 0 && sight.normal.dot(facing_[index].cone.axis) > facing_[index].stays_hidden) return;
+    if (nodes_[index].element >= 0) {
+      least2 = own;
+      return;
+    }
+    self(index + 1, self);
+    self(nodes_[index].second, self);
+  };
+  visit(0, visit);
+  return std::sqrt(least2);
+}
+
+// ── Tree ─────────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+/// Builds the tree of sheets first … last − 1.
+template <int D> void ElementBoxes<D>::build_sheets(const Surface<D>& surface, int first, int last) {
+  if (last - first == 1) {
+    const int u = surface.direction(0, first).elements();
+    const int count = surface.first_element(last) - surface.first_element(first);
+    return build(surface, first, {0, 0}, {u, count / u});
+  }
+  const std::size_t index = nodes_.size();
+  nodes_.emplace_back();
+  for (auto& ends : nodes_[index].plain) ends = {false, false};
+  build_sheets(surface, first, (first + last) / 2);
+  nodes_[index].second = std::ssize(nodes_);
+  build_sheets(surface, (first + last) / 2, last);
+}
+
+/// Builds the tree of the elements first … last − 1 in both directions of a sheet.
+template <int D>
+void ElementBoxes<D>::build(const Surface<D>& surface, int sheet, std::array<int, 2> first, std::array<int, 2> last) {
   const std::size_t index = nodes_.size();
   nodes_.emplace_back();
   const int u = last[0] - first[0], v = last[1] - first[1];
   if (u == 1 && v == 1) {
-    const int element = first[0] + surface.direction(0).elements() * first[1];
+    const int element = surface.first_element(sheet) + first[0] + surface.direction(0, sheet).elements() * first[1];
     nodes_[index].element = element;
     for (std::size_t a = 0; a < D - 1; ++a)
       for (const bool at_end : {false, true})
@@ -136,9 +217,9 @@ void ElementBoxes<D>::build(const Surface<D>& surface, std::array<int, 2> first,
   const std::size_t d = u >= v ? 0 : 1;
   std::array<int, 2> end = last, start = first;
   end[d] = start[d] = (first[d] + last[d]) / 2;
-  build(surface, first, end);
+  build(surface, sheet, first, end);
   nodes_[index].second = std::ssize(nodes_);
-  build(surface, start, last);
+  build(surface, sheet, start, last);
   const Node &a = nodes_[index + 1], &b = nodes_[nodes_[index].second];
   for (std::size_t k = 0; k < D - 1; ++k) {
     nodes_[index].plain[k][0] = a.plain[k][0] && (k == d || b.plain[k][0]);

@@ -1,9 +1,11 @@
 #pragma once
 // Search for the elements of a face near a point: a tree of bounding boxes, distances within which elements have one
-// foot point only, and points that have none.
+// foot point only, points that have none, and parts whose normals cannot face that of a point.
 
+#include "contact/face/normal_cone.hpp"
 #include "contact/face/surface.hpp"
 
+#include <utility>
 #include <vector>
 
 namespace signorini::contact {
@@ -16,10 +18,20 @@ struct Neighborhood {
 template <int D> Neighborhood smooth_neighborhood(const Surface<D>& surface, int element);
 template <int D> bool smoothly_adjacent(const Surface<D>& surface, int element, int other);
 
+/// What a point of a set of faces sees of it: parts of its own body only if their normals differ enough from its own,
+/// and if they are near.
+template <int D> struct Sight {
+  int body = -1; ///< of the point; −1: it sees everything
+  Vec<D> normal = Vec<D>::Zero();
+  double reach = std::numeric_limits<double>::infinity(); ///< how far it looks for parts of its own body
+};
+
 /// Bounding boxes of a face's elements in a binary tree that halves the grid of elements; moving the face changes the
 /// boxes, not the tree.
 template <int D> class ElementBoxes {
 public:
+  /// `bodies`: by sheet of a set of faces, the body behind it; empty if nothing depends on what points see.
+  ElementBoxes(std::vector<int> bodies = {}) : bodies_(std::move(bodies)) {}
   /// Computes boxes and distances of the surface's current shape. Must always be called with the same surface.
   void update(const Surface<D>& surface);
   /// Squared diagonal of an element's box.
@@ -31,13 +43,21 @@ public:
   double unique_distance2(int element) const { return unique_distance2_[element]; }
   /// True only if no line from x is normal to the face, so that the closest point is an open end. False where it may be
   /// at a kink, a pole or a seam.
-  bool is_beyond_ends(const Vec<D>& x) const { return !nodes_.empty() && !may_have_foot(0, x); }
+  bool is_beyond_ends(const Vec<D>& x, const Sight<D>& sight = {}) const {
+    return !nodes_.empty() && !may_have_foot(0, x, sight);
+  }
 
   /// Calls visit(element) for the elements whose boxes are nearer to x than `distance2()` (a squared distance,
-  /// evaluated again before every visit), boxes near x first.
-  template <class Distance2, class Visit> void near(const Vec<D>& x, Distance2 distance2, Visit visit) const {
-    if (!nodes_.empty()) descend(0, nodes_[0].box.distance2(x), x, distance2, visit);
+  /// evaluated again before every visit), boxes near x first, without those that a point with this sight cannot see.
+  template <class Distance2, class Visit>
+  void near(const Vec<D>& x, const Sight<D>& sight, Distance2 distance2, Visit visit) const {
+    if (!nodes_.empty()) descend(0, nodes_[0].box.distance2(x), x, sight, distance2, visit);
   }
+  /// A lower bound, at most `longest`, of the distance from x to the elements of its own body that a point sees before
+  /// normals have turned by `turning_margin`.
+  double distance_in_sight(const Vec<D>& x, const Sight<D>& sight, double longest) const;
+  /// True if normals may have turned by so much, with those of the points, since the last time that it was true.
+  bool take_turning();
 
 private:
   struct Box {
@@ -55,13 +75,30 @@ private:
     Box box;
     std::array<Box, D - 1> tangents; ///< around τ_α
   };
+  /// What a node shows of its normals.
+  struct Facing {
+    int body; ///< of all its elements; −1: of several
+    NormalCone<D> cone;
+    /// Cosines of the angle to the axis above which a point does not see it, now and until turned.
+    double hides, stays_hidden;
+  };
+  /// `distance2`: of its box, squared.
+  bool sees(int index, const Sight<D>& sight, double distance2) const {
+    if (sight.body < 0) return true;
+    const Facing& facing = facing_[index];
+    return facing.body != sight.body ||
+           (distance2 < sight.reach * sight.reach && !(sight.normal.dot(facing.cone.axis) > facing.hides));
+  }
+  void update_cones(const Surface<D>& surface);
   void find_unique_distances(const Surface<D>& surface);
-  bool may_have_foot(int index, const Vec<D>& x) const;
-  void build(const Surface<D>& surface, std::array<int, 2> first, std::array<int, 2> last);
+  bool may_have_foot(int index, const Vec<D>& x, const Sight<D>& sight) const;
+  void build_sheets(const Surface<D>& surface, int first, int last);
+  void build(const Surface<D>& surface, int sheet, std::array<int, 2> first, std::array<int, 2> last);
 
   template <class Distance2, class Visit>
-  void descend(int index, double own, const Vec<D>& x, Distance2& distance2, Visit& visit) const {
-    if (own >= distance2()) return;
+  void descend(int index, double own, const Vec<D>& x, const Sight<D>& sight, Distance2& distance2,
+               Visit& visit) const {
+    if (own >= distance2() || !sees(index, sight, own)) return;
     const Node& node = nodes_[index];
     if (node.element >= 0) return visit(node.element);
     int near = index + 1, far = node.second;
@@ -70,14 +107,17 @@ private:
       std::swap(near, far);
       std::swap(to_near, to_far);
     }
-    descend(near, to_near, x, distance2, visit);
-    descend(far, to_far, x, distance2, visit);
+    descend(near, to_near, x, sight, distance2, visit);
+    descend(far, to_far, x, sight, distance2, visit);
   }
 
   std::vector<Node> nodes_;
   std::vector<int> leaves_; ///< per element
   std::vector<double> unique_distance2_;
   std::vector<DerivativeBounds<D>> bounds_; ///< working space
+  std::vector<int> bodies_;                 ///< by sheet
+  std::vector<Facing> facing_;              ///< by node, of a set
+  double turned_ = 0;                       ///< bound on the turning of normals since take_turning() was true
 };
 
 } // namespace signorini::contact

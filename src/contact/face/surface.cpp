@@ -42,12 +42,21 @@ nurbs::Space1D extended(const nurbs::Space1D& space, std::array<double, 2> parts
   return {std::move(breaks), std::move(smoothness), elements};
 }
 
-/// Length of the last element at an end of direction α as its tangent at the end tells it, |x,_α| Δξ^α; of surfaces the
-/// longest at the ends and middles of the border's elements.
-template <int D> double last_length(const Surface<D>& face, int alpha, bool at_end) {
+/// The same space with other parameters.
+nurbs::Space1D shifted(const nurbs::Space1D& space, double by) {
+  std::vector<double> breaks = space.breaks();
+  for (double& parameter : breaks) parameter += by;
+  std::vector<nurbs::Element1D> elements;
+  for (int e = 0; e < space.elements(); ++e) elements.push_back(space.element(e));
+  return {std::move(breaks), space.smoothness(), elements};
+}
+
+/// Length of the last element at an end of direction α of a sheet as its tangent at the end tells it, |x,_α| Δξ^α; of
+/// surfaces the longest at the ends and middles of the border's elements.
+template <int D> double last_length(const Surface<D>& face, int sheet, int alpha, bool at_end) {
   FaceGeometry<D> point;
   double longest = 0;
-  for (int e = 0; e < face.elements(); ++e) {
+  for (int e = face.first_element(sheet); e < face.first_element(sheet + 1); ++e) {
     if (face.neighbor(e, alpha, at_end) >= 0) continue;
     const auto [from, to] = face.interval(e, alpha);
     for (const double across : border_samples) {
@@ -72,6 +81,12 @@ template <int D, int W> double moved2(bool polynomial, const double* before, con
   return change2;
 }
 
+template <int D> Sheet<D> make_sheet(const std::vector<nurbs::Space1D>& directions, double orientation) {
+  Sheet<D> sheet{orientation};
+  for (std::size_t d = 0; d < D - 1; ++d) sheet.extension.ends[d] = {directions[d].first(), directions[d].last()};
+  return sheet;
+}
+
 constexpr int face_row = nurbs::max_degree + 1;
 
 /// w N_a and its first derivatives, w = 1 without weights: value, then one direction after the other.
@@ -83,7 +98,7 @@ void weighted_functions(const Surface<D>& face, const VectorX* weights, FacePoin
   double along[2][2 * face_row]; // N_a of one direction and their derivatives
   int count[2] = {1, 1};
   for (int d = 0; d < D - 1; ++d) {
-    const auto extraction = face.direction(d).extraction(face.index(point.element, d));
+    const auto extraction = face.along(point.element, d).extraction(face.index(point.element, d));
     const double* c = extraction.data();
     const int n = count[d] = static_cast<int>(extraction.rows());
     const int points = P > 0 ? P + 1 : static_cast<int>(extraction.cols());
@@ -108,9 +123,9 @@ void weighted_functions(const Surface<D>& face, const VectorX* weights, FacePoin
 
 } // namespace
 
-template <int D> std::array<bool, 2> open_ends(const Surface<D>& face, int alpha) {
-  const auto& reference = face.reference();
-  const int nu = face.direction(0).functions(), nv = D == 2 ? 1 : face.direction(D - 2).functions();
+template <int D> std::array<bool, 2> open_ends(const Surface<D>& face, int alpha, int sheet) {
+  const int nu = face.direction(0, sheet).functions(), nv = D == 2 ? 1 : face.direction(D - 2, sheet).functions();
+  const auto reference = face.reference().middleCols(face.first_function(sheet), nu * nv);
   const int across = alpha == 0 ? nv : nu, step = alpha == 0 ? nu : 1, last = alpha == 0 ? nu - 1 : nu * (nv - 1);
   const double size = (reference.rowwise().maxCoeff() - reference.rowwise().minCoeff()).norm();
   const auto apart = [&](int i, int j) { return (reference.col(i) - reference.col(j)).norm() > same_place * size; };
@@ -121,7 +136,8 @@ template <int D> std::array<bool, 2> open_ends(const Surface<D>& face, int alpha
     points[0] = points[0] && !apart(0, i * step);
     points[1] = points[1] && !apart(last, last + i * step);
   }
-  return {!seam && !points[0], !seam && !points[1]};
+  const auto open = [&](bool at_end) { return !seam && !points[at_end] && !is_linked(face, sheet, alpha, at_end); };
+  return {open(false), open(true)};
 }
 
 template <int D>
@@ -140,42 +156,78 @@ Surface<D>::Surface(const nurbs::Patch& patch) : Surface(nurbs::make_row(patch),
 
 template <int D>
 Surface<D>::Surface(const nurbs::Row& row, std::vector<int> functions, double orientation)
-    : FaceMesh<D>(row.directions()), functions_(std::move(functions)), weights_(row.weights()),
-      polynomial_((weights_.array() == weights_(0)).all()), orientation_(orientation), reference_(row.points()),
-      points_(reference_) {
-  for (int d = 0; d < D - 1; ++d) extension_.ends[d] = {this->direction(d).first(), this->direction(d).last()};
-  set_mesh(row.directions());
+    : FaceMesh<D>(row.directions()), sheets_{make_sheet<D>(row.directions(), orientation)},
+      functions_(std::move(functions)), weights_(row.weights()), polynomial_((weights_.array() == weights_(0)).all()),
+      reference_(row.points()), points_(reference_) {
+  set_mesh({row.directions()});
+}
+
+template <int D> Surface<D>::Surface(const std::vector<Surface>& faces) : Surface(faces.front()) {
+  std::vector<std::vector<nurbs::Space1D>> sheets;
+  std::vector<double> weights;
+  std::vector<Vec<D>> reference;
+  functions_.clear();
+  shared_.clear();
+  sheets_.clear();
+  places_.clear();
+  double start = 0;
+  for (const Surface& face : faces) {
+    std::vector<nurbs::Space1D> directions;
+    for (int d = 0; d < D - 1; ++d) directions.push_back(face.direction(d));
+    const double length = directions[0].last() - directions[0].first();
+    // Extensions on both sides are shorter than the last elements.
+    directions[0] = shifted(directions[0], start + length - directions[0].first());
+    start = directions[0].last() + length;
+    sheets.push_back(std::move(directions));
+    sheets_.push_back(make_sheet<D>(sheets.back(), face.sheets_[0].orientation));
+    // A constant factor on the weights of a face changes nothing; so all are 1 where none is rational.
+    for (int i = 0; i < face.functions(); ++i) {
+      functions_.push_back(face.body_function(i));
+      shared_.push_back(face.shared(i));
+      weights.push_back(face.weights_(i) / face.weights_(0));
+      reference.push_back(face.reference_.col(i));
+    }
+  }
+  weights_ = Eigen::Map<const VectorX>(weights.data(), std::ssize(weights));
+  polynomial_ = (weights_.array() == weights_(0)).all();
+  reference_.resize(D, std::ssize(reference));
+  for (int i = 0; i < functions(); ++i) reference_.col(i) = reference[i];
+  points_ = reference_;
+  set_mesh(std::move(sheets));
+  links_ = find_links(*this);
 }
 
 /// Sets the elements, with the Bézier points in the reference configuration.
-template <int D> void Surface<D>::set_mesh(std::vector<nurbs::Space1D> directions) {
-  static_cast<FaceMesh<D>&>(*this) = FaceMesh<D>(std::move(directions));
+template <int D> void Surface<D>::set_mesh(std::vector<std::vector<nurbs::Space1D>> sheets) {
+  static_cast<FaceMesh<D>&>(*this) = FaceMesh<D>(std::move(sheets));
   bezier_.assign((D == 2 && polynomial_ ? 2 : 4) * this->first_bezier(this->elements()), 0.0);
   const int last = *std::max_element(functions_.begin(), functions_.end());
   move(std::vector<double>(D * (last + 1), 0.0).data());
 }
 
 template <int D> void Surface<D>::extend(double part, double longest) {
-  std::vector<nurbs::Space1D> own, longer;
-  for (int a = 0; a < D - 1; ++a) {
-    own.push_back(this->direction(a));
-    std::array<double, 2> parts{};
-    for (const bool at_end : {false, true}) {
-      if (!open_ends(*this, a)[at_end]) continue;
-      const auto [from, to] = own[a].interval(at_end ? own[a].elements() - 1 : 0);
-      parts[at_end] = std::min(part, longest / last_length(*this, a, at_end));
-      extension_.lengths[a][at_end] = parts[at_end] * (to - from);
+  std::vector<std::vector<nurbs::Space1D>> own(this->sheets()), longer(this->sheets());
+  for (int s = 0; s < this->sheets(); ++s)
+    for (int a = 0; a < D - 1; ++a) {
+      own[s].push_back(this->direction(a, s));
+      std::array<double, 2> parts{};
+      for (const bool at_end : {false, true}) {
+        if (!open_ends(*this, a, s)[at_end]) continue;
+        const auto [from, to] = own[s][a].interval(at_end ? own[s][a].elements() - 1 : 0);
+        parts[at_end] = std::min(part, longest / last_length(*this, s, a, at_end));
+        sheets_[s].extension.lengths[a][at_end] = parts[at_end] * (to - from);
+      }
+      longer[s].push_back(extended(own[s][a], parts, sheets_[s].extension.lengths[a]));
     }
-    longer.push_back(extended(own[a], parts, extension_.lengths[a]));
-  }
   set_mesh(std::move(longer));
-  if (polynomial_) return;
-  // Weights that decrease steeply towards an end become negative beyond it; then a shorter extension is tried.
-  for (std::size_t q = D; q < bezier_.size(); q += 4)
-    if (bezier_[q] <= 0) {
-      set_mesh(std::move(own));
-      return extend(part / 2, longest / 2);
-    }
+  if (!polynomial_)
+    // Weights that decrease steeply towards an end become negative beyond it; then a shorter extension is tried.
+    for (std::size_t q = D; q < bezier_.size(); q += 4)
+      if (bezier_[q] <= 0) {
+        set_mesh(std::move(own));
+        return extend(part / 2, longest / 2);
+      }
+  if (!links_.empty()) links_ = find_links(*this);
 }
 
 template <int D> double Extension<D>::fade(const FaceCoordinates<D>& xi, FaceCoordinates<D>& rate) const {
@@ -203,12 +255,12 @@ template <int D> double Surface<D>::move(const double* displacement) {
 }
 
 template <int D> OwnElement<D> own_element(const Surface<D>& surface, int element) {
-  OwnElement<D> own{0, {}};
+  OwnElement<D> own{surface.sheet(element), {}};
   for (int a = 0; a < D - 1; ++a) {
-    const auto [start, end] = surface.extension().lengths[a];
+    const auto [start, end] = surface.sheet_data(own.face).extension.lengths[a];
     const int before = start > 0, after = end > 0;
     own.index[a] =
-        std::clamp(surface.index(element, a) - before, 0, surface.direction(a).elements() - before - after - 1);
+        std::clamp(surface.index(element, a) - before, 0, surface.along(element, a).elements() - before - after - 1);
   }
   for (std::size_t f = 0; f < surface.places().size(); ++f) {
     const auto& [way, elements, first, width] = surface.places()[f];
@@ -264,7 +316,7 @@ template <int D> template <int W> double Surface<D>::update_bezier() {
   };
   for (int e = 0; e < this->elements(); ++e) {
     const int* local = this->nodes(e);
-    const auto c = this->direction(0).extraction(this->index(e, 0));
+    const auto c = this->along(e, 0).extraction(this->index(e, 0));
     const int nu = static_cast<int>(c.cols()), mu = static_cast<int>(c.rows()), mv = this->functions_on(e) / mu;
     double* q = bezier_.data() + W * this->first_bezier(e);
     Row along[face_row * (D == 2 ? 1 : face_row)]; // of every row of functions
@@ -278,7 +330,7 @@ template <int D> template <int W> double Surface<D>::update_bezier() {
           along[b * nu + k] = sum;
       }
     if constexpr (D == 3) {
-      const auto d = this->direction(1).extraction(this->index(e, 1));
+      const auto d = this->along(e, 1).extraction(this->index(e, 1));
       for (int l = 0; l < d.cols(); ++l)
         for (int k = 0; k < nu; ++k, q += W) {
           Row sum = Row::Zero();
@@ -308,8 +360,8 @@ template <int D> void Surface<D>::functions(FacePoint<D>& point, int order) cons
   }
 }
 
-template std::array<bool, 2> open_ends(const Surface<2>&, int);
-template std::array<bool, 2> open_ends(const Surface<3>&, int);
+template std::array<bool, 2> open_ends(const Surface<2>&, int, int);
+template std::array<bool, 2> open_ends(const Surface<3>&, int, int);
 template struct Extension<2>;
 template struct Extension<3>;
 template class Surface<2>;

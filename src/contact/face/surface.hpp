@@ -3,6 +3,7 @@
 
 #include "contact/face/bezier_element.hpp"
 #include "contact/face/face_grid.hpp"
+#include "contact/face/sheet_links.hpp"
 #include "nurbs/discretization.hpp"
 
 #include <limits>
@@ -33,7 +34,14 @@ template <int D> struct Extension {
   double fade(const FaceCoordinates<D>& xi, FaceCoordinates<D>& rate) const;
 };
 
-/// A face of a body, or several faces with common borders; face-local indices number its control points.
+/// What a sheet has besides its mesh.
+template <int D> struct Sheet {
+  double orientation; ///< 1 or −1: the sign of outward normals, as normals from its directions in order
+  Extension<D> extension = {};
+};
+
+/// A face of a body, several faces with common borders as one sheet, or a set of faces, a sheet each; face-local
+/// indices number its control points.
 template <int D> class Surface : public FaceMesh<D> {
 public:
   /// `first`: number of the body's first function; `shared`: see shared(), empty: no control points share unknowns.
@@ -43,6 +51,8 @@ public:
   explicit Surface(FaceGrid grid);
   /// A patch without a body, with the outside on the right of its direction (2D), or with outward normal τ₁×τ₂ (3D).
   explicit Surface(const nurbs::Patch& patch);
+  /// A set of faces that are not extended, as sheets. Borders with control points that share unknowns are linked.
+  explicit Surface(const std::vector<Surface>& faces);
 
   /// Where each of several faces lies in the whole; empty for a single face.
   const std::vector<FacePlace>& places() const { return places_; }
@@ -54,10 +64,12 @@ public:
   int shared(int i) const { return shared_.empty() ? body_function(i) : shared_[i]; }
 
   /// Extends the face along its tangents beyond its open ends, by a fraction of its last elements, at most by a length
-  /// in the reference configuration; to be called once, before move(). A seam and a border collapsed to one point, such
-  /// as a pole, are not open ends.
+  /// in the reference configuration; to be called once, before move(). A seam, a linked border and one that is
+  /// collapsed to a point, such as a pole, are not open ends.
   void extend(double part, double longest = std::numeric_limits<double>::infinity());
-  const Extension<D>& extension() const { return extension_; }
+  const Sheet<D>& sheet_data(int sheet = 0) const { return sheets_[sheet]; }
+  /// Borders of sheets that share control points.
+  const SheetLinks& links() const { return links_; }
 
   /// Sets the current control points: reference positions plus displacement (D values per function, in the numbering of
   /// body_function()). Returns the largest distance by which a Bézier point has moved, a bound on that of any point of
@@ -78,28 +90,45 @@ public:
   }
   /// Evaluates the functions at point.element, point.xi, with first derivatives if `order` is 1.
   void functions(FacePoint<D>& point, int order) const;
-  /// Outward normal times the surface measure.
-  Vec<D> outward(const std::array<Vec<D>, D - 1>& tangent) const { return orientation_ * normal_of<D>(tangent); }
 
 private:
   Surface(const nurbs::Row& row, std::vector<int> functions, double orientation);
-  void set_mesh(std::vector<nurbs::Space1D> directions);
+  void set_mesh(std::vector<std::vector<nurbs::Space1D>> sheets);
   template <int W> double update_bezier();
 
-  Extension<D> extension_;
+  std::vector<Sheet<D>> sheets_;
+  SheetLinks links_;
   std::vector<int> functions_, shared_;
   std::vector<FacePlace> places_;
   VectorX weights_;
   bool polynomial_; ///< all weights are equal: not rational
-  double orientation_;
   Eigen::Matrix<double, D, Eigen::Dynamic> reference_, points_;
   std::vector<double> bezier_; ///< of each element, see BezierElement
 };
 
-/// True for the ends of direction α that are open: no seam, no border collapsed to one point, such as a pole.
-template <int D> std::array<bool, 2> open_ends(const Surface<D>& face, int alpha);
+/// Outward normal times the surface measure.
+template <int D> Vec<D> outward(const Surface<D>& surface, const FaceGeometry<D>& point) {
+  return surface.sheet_data(surface.sheet(point.element)).orientation * normal_of<D>(point.tangent);
+}
 
-/// An element of one of the faces of a surface (face 0 unless there are several), by direction of that face.
+/// Where a way across a border arrives: on the border of another element, at xi. element −1: nowhere.
+template <int D> struct Entry {
+  int element = -1, alpha = 0;
+  bool at_end = false;
+  FaceCoordinates<D> xi = FaceCoordinates<D>::Zero();
+};
+/// The way from `xi` on the border of an element at the start or end of direction α, on its sheet or across a link.
+template <int D>
+Entry<D> across(const Surface<D>& surface, int element, int alpha, bool at_end, const FaceCoordinates<D>& xi);
+/// The links of a surface's present elements.
+template <int D> SheetLinks find_links(const Surface<D>& surface);
+template <int D> bool is_linked(const Surface<D>& surface, int sheet, int alpha, bool at_end);
+
+/// True for the ends of direction α of a sheet that are open: no seam, no link, no border collapsed to one point, such
+/// as a pole.
+template <int D> std::array<bool, 2> open_ends(const Surface<D>& face, int alpha, int sheet = 0);
+
+/// An element of one of the faces of a surface, by direction of that face.
 template <int D> struct OwnElement {
   int face;
   std::array<int, D - 1> index;

@@ -32,7 +32,8 @@ void append_master(const Master<D>& master, int element, const Offsets& offsets,
 
 template <int D>
 void append_dofs(const Faces<D>& faces, const Block& block, const Offsets& offsets, std::vector<int>& dofs) {
-  const auto& [slave, master, accepted, travel] = faces;
+  const Surface<D>& slave = faces.slave;
+  const Master<D>& master = faces.master;
   if (block.group >= 0) {
     for (const int node : block.slave_nodes) append_node<D>(slave.body_function(node), 0, dofs);
     for (const int node : block.master_nodes)

@@ -134,7 +134,8 @@ private:
     const PointResult<D>& result = history_.results[i];
     if (result.state != ContactState::open) return gap = result.gap;
     FacePoint<D> foot;
-    const Projection<D> found = formulation_.master().project(result.position, history_.points[i].projection, foot);
+    const Projection<D> found = formulation_.master().project(result.position, history_.points[i].projection, foot,
+                                                              lookout(formulation_.faces(), formulation_.points(), i));
     return gap = found.foot == Foot::none ? no_gap : found.gap - formulation_.parameters().offset(i, history_);
   }
 

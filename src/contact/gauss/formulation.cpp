@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace signorini::contact {
@@ -16,6 +17,7 @@ Formulation<D>::Formulation(ContactSetting<D> setting, std::optional<InterfaceLa
       points_(faces_.slave, setting.points, setting.revolved, setting.where,
               setting.adaptive ? (2 * setting.points + 2) / 3 : 0),
       parameters_{setting.start, law, pass} {
+  if (faces_.master.set()) make_set(points_, faces_.slave, pass == Pass::full ? 0.5 : 1);
   if (law) check(*law);
   require(D == 3 || !law || !law->ellipse, "contact.friction.plane");
   if (law && law->along) set_axes(points_, faces_.slave, Vec<D>(law->along->template head<D>()));
@@ -29,6 +31,7 @@ template <int D> void Formulation<D>::move(const double* slave_displacement, con
     const ScopedTimer timer(counters.times_search ? &counters.search_seconds : nullptr);
     faces_.travel += faces_.master.move(master_displacement, faces_.slave.points());
   }
+  if (faces_.master.set()) faces_.moved = faces_.master_moved();
   take_back(blocks_);
 }
 
@@ -108,8 +111,12 @@ template <int D> std::vector<double> gaps(const Formulation<D>& contact, const H
   std::vector<double> gaps;
   FacePoint<D> foot;
   for (std::size_t i = 0; i < history.points.size(); ++i) {
-    const Projection<D> found =
-        contact.master().project(history.results[i].position, history.points[i].projection, foot);
+    const Projection<D> found = contact.master().project(history.results[i].position, history.points[i].projection,
+                                                         foot, lookout(contact.faces(), contact.points(), i));
+    if (found.element < 0) {
+      gaps.push_back(std::numeric_limits<double>::infinity());
+      continue;
+    }
     // Beyond an open end the distance has no sign.
     gaps.push_back((found.foot == Foot::none ? std::abs(found.gap) : found.gap) -
                    contact.parameters().offset(i, history));
@@ -152,9 +159,11 @@ std::vector<int> crossed(const Formulation<D>& contact, const History<D>& presen
     const double moved = (result.position - accepted.results[i].position).norm() + master_moved;
     const double least = point.cleared > 0 ? point.cleared - faces.travel + touching : point.projection.gap;
     if (moved <= 0 || least > moved) continue;
-    const Vec<D> outward = faces.slave.outward(tangents(points, faces.slave, i)).normalized();
+    const Vec<D> outward = normal_at(points, faces.slave, i);
+    Lookout<D> from = lookout(faces, points, i);
+    if (from.set) from.farthest = from.sight.reach = moved + std::max(touching, 0.0);
     if (has_crossed(faces.accepted, faces.master, accepted.results[i].position, result.position, outward,
-                    point.projection, std::min(0.0, touching)))
+                    point.projection, std::min(0.0, touching), from))
       numbers.push_back(static_cast<int>(i));
   }
   return numbers;

@@ -93,7 +93,10 @@ public:
   /// evaluated last. The caller then makes `present` the accepted history. Overrides end with this function.
   virtual void commit(History<D>& present, const History<D>& accepted, double penalty_factor);
   /// To be called after the faces have been moved back to the accepted state.
-  void return_to_accepted() { faces_.accepted = faces_.master; }
+  void return_to_accepted() {
+    faces_.accepted = faces_.master;
+    faces_.moved = 0;
+  }
   /// Drops everything from past evaluations that affects rounding later, so that the continuation depends on the
   /// accepted state alone. Requires both faces in the accepted state.
   void settle(History<D>& accepted);
@@ -121,7 +124,7 @@ template <int D> using Formulations = std::vector<std::unique_ptr<Formulation<D>
 /// The history of a contact that has not been evaluated.
 template <int D> History<D> initial_history(const Formulation<D>& contact);
 /// Gaps of all points, less their offsets, at the faces' current position (an evaluation projects only points that may
-/// touch).
+/// touch); infinite without a foot.
 template <int D> std::vector<double> gaps(const Formulation<D>& contact, const History<D>& history);
 /// Energy of the law at point i and of multiplier a: that of springs and of adhesion, which is part of the result, and
 /// ∫ p dg A where the pressure is a formula, which evaluations leave out.

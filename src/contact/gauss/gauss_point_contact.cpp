@@ -1,5 +1,6 @@
 #include "contact/gauss/gauss_point_contact.hpp"
 
+#include "contact/gauss/set_points.hpp"
 #include "contact/point/interface_force.hpp"
 #include "contact/point/touch.hpp"
 #include "os/timer.hpp"
@@ -28,7 +29,8 @@ template <int D>
 bool GaussPointContact<D>::find_foot(std::size_t i, const Trial<D>& trial, SumPart<D>& part,
                                      FootPoints<D>& feet) const {
   const ScopedTimer timer(this->counters.times_search ? &part.search_seconds : nullptr);
-  return contact::find_foot(faces_.master, trial.present.points[i], trial.present.results[i], feet.foot);
+  const Lookout<D> from = lookout(*this, i, trial);
+  return contact::find_foot(faces_.master, trial.present.points[i], trial.present.results[i], feet.foot, from);
 }
 
 template <int D>
@@ -98,6 +100,7 @@ std::optional<FixedContactState> GaussPointContact<D>::close(std::size_t i, cons
   // A point beyond an end of the master comes behind it without a way when the end turns.
   const bool clear = foot == Foot::regular && feet.foot.settled && distance > 0;
   point.cleared = clear ? faces_.travel + distance : 0;
+  if (faces_.master.set()) point.cleared = cleared_in_set(*this, i, trial);
   if (!opposite || (foot != Foot::regular && point.projection.gap == 0)) return {}; // no direction
   return always ? fixed : controls.closed(static_cast<int>(i), distance);
 }
@@ -116,7 +119,8 @@ LocalGeometry<D> GaussPointContact<D>::closed_geometry(std::size_t i, const Tria
     // A newly closed point slips from where it touches or, without a forecast, from its foot in the accepted state.
     std::optional<MasterPoint<D>> from;
     if (trial.controls.foresees) from = foresee_touch(i, trial);
-    if (!from) from = faces_.accepted_foot(trial.accepted.results[i].position, point.projection);
+    if (!from)
+      from = faces_.accepted_foot(trial.accepted.results[i].position, point.projection, lookout(faces_, points_, i));
     point.slips = from.has_value();
     if (from) point.slip = *from;
   }
@@ -134,7 +138,7 @@ std::optional<MasterPoint<D>> GaussPointContact<D>::foresee_touch(std::size_t i,
     return {history.results[i].position, parameters_.offset(i, history)};
   };
   return touch_point<D>(faces_.accepted, faces_.master, touching(trial.accepted), touching(trial.present),
-                        trial.present.points[i].projection);
+                        trial.present.points[i].projection, lookout(faces_, points_, i));
 }
 
 template <int D> double GaussPointContact<D>::stiffness(const History<D>& history, double penalty_factor) const {

@@ -72,7 +72,7 @@ void GaussPointContact<D>::advance_slip_point(std::size_t i, History<D>& history
         return chord - n.dot(chord) * n - elastic;
       };
       slip_of_step = slip_from(slip_point.position).norm();
-      point.slip = master.along_normal(foot.position - elastic, n, point.projection);
+      point.slip = master.along_normal(foot.position - elastic, n, point.projection, lookout(faces_, points_, i));
       master.locate(point.slip, slip_point);
       error = slip_from(slip_point.position).norm();
     } else {
@@ -172,7 +172,8 @@ bool GaussPointContact<D>::is_near(const History<D>& present, std::span<const st
   return std::any_of(points.begin(), points.end(), [&](std::size_t i) {
     const PointHistory<D>& point = present.points[i];
     if (point.cleared - faces_.travel >= distance) return false;
-    const Projection<D> closest = faces_.master.project(present.results[i].position, point.projection, foot);
+    const Projection<D> closest =
+        faces_.master.project(present.results[i].position, point.projection, foot, lookout(faces_, points_, i));
     // The sign at an end or a kink does not matter: contact is |g| away.
     const double gap = closest.foot == Foot::regular ? closest.gap : std::abs(closest.gap);
     return gap - parameters_.offset(i, present) < distance;

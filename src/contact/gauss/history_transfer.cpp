@@ -106,24 +106,25 @@ void recall(const std::vector<PointMemory<D>>& memories, const Formulation<D>& c
       point.worn = std::max(point.worn, 0.0);
     }
     if (!closest.touches) continue;
-    point.projection = contact.master().project(here, point.projection, foot);
+    const Lookout<D> from = lookout(contact.faces(), contact.points(), number);
+    point.projection = contact.master().project(here, point.projection, foot, from);
     if (point.projection.foot == Foot::none) continue;
 
     const std::vector<std::size_t> some = nearest<D>(memories, touching, place);
     const std::vector<double> w = weights<D>(memories, some, place);
     Vec<D> stretch = Vec<D>::Zero();
     for (std::size_t k = 0; k < some.size(); ++k) {
-      const PointMemory<D>& from = memories[some[k]];
-      point.limit += w[k] * from.limit * reference_area(contact.points().list[number]);
-      point.slipped += w[k] * from.slipped;
-      point.recent += w[k] * from.recent;
-      stretch += w[k] * from.stretch;
+      const PointMemory<D>& other = memories[some[k]];
+      point.limit += w[k] * other.limit * reference_area(contact.points().list[number]);
+      point.slipped += w[k] * other.slipped;
+      point.recent += w[k] * other.recent;
+      stretch += w[k] * other.stretch;
     }
     for (double* value : {&point.limit, &point.slipped, &point.recent}) *value = std::max(*value, 0.0);
     point.slips = closest.slips;
     if (!point.slips) continue;
     FaceGeometry<D> slip;
-    const Projection<D> to = contact.master().project(foot.position + stretch, point.projection, slip);
+    const Projection<D> to = contact.master().project(foot.position + stretch, point.projection, slip, from);
     point.slip = to.foot == Foot::none ? point.projection.point() : to.point();
   }
 }

@@ -9,6 +9,10 @@ namespace signorini::contact {
 template <int D> std::unique_ptr<Formulation<D>> make_formulation(const Method& method, ContactSetting<D> setting) {
   const auto& [law, multipliers, pass, bond, unknown] = method;
   const bool solved = law.enforcement == Enforcement::multipliers;
+  if (setting.master.set()) {
+    require(!multipliers && !bond, "contact.set.points");
+    require(!law.coefficient || !law.coefficient->of_cosine, "contact.set.cosine");
+  }
   // Where penetrations vanish, nothing makes the pressures of the two faces equal.
   require(!solved || pass == Pass::full, "contact.enforcement.half_passes");
   require(!solved || has_penalty(law), "contact.enforcement.pressure");

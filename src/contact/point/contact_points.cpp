@@ -70,6 +70,18 @@ std::array<Vec<D>, D - 1> tangents(const ContactPoints<D>& points, const Surface
   return result;
 }
 
+template <int D> Vec<D> normal_at(const ContactPoints<D>& points, const Surface<D>& slave, std::size_t i) {
+  return (slave.sheet_data(slave.sheet(points.list[i].element)).orientation * normal_of<D>(tangents(points, slave, i)))
+      .normalized();
+}
+
+template <int D> void make_set(ContactPoints<D>& points, const Surface<D>& faces, double share) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    points.list[i].weight *= share;
+    points.outward.push_back(normal_at(points, faces, i));
+  }
+}
+
 template <int D> void set_axes(ContactPoints<D>& points, const Surface<D>& slave, const Vec<D>& direction) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     const std::array<Vec<D>, D - 1> tangent = tangents(points, slave, i);
@@ -87,6 +99,8 @@ template <int D> void set_axes(ContactPoints<D>& points, const Surface<D>& slave
   template struct ContactPoints<D>;                                                                                    \
   template Vec<D> position(const ContactPoints<D>&, const Surface<D>&, std::size_t);                                   \
   template std::array<Vec<D>, D - 1> tangents(const ContactPoints<D>&, const Surface<D>&, std::size_t);                \
+  template Vec<D> normal_at(const ContactPoints<D>&, const Surface<D>&, std::size_t);                                  \
+  template void make_set(ContactPoints<D>&, const Surface<D>&, double);                                                \
   template void set_axes(ContactPoints<D>&, const Surface<D>&, const Vec<D>&);
 SIGNORINI_INSTANTIATE(2)
 SIGNORINI_INSTANTIATE(3)

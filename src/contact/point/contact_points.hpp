@@ -43,7 +43,15 @@ template <int D> struct ContactPoints {
   std::vector<double> values;
   std::vector<Vec<D>> reference;             ///< positions in the reference configuration
   std::vector<FaceCoordinates<D>> axes = {}; ///< of a law with an axis
+  std::vector<Vec<D>> outward = {};          ///< of a set of faces: unit normals in the reference configuration
 };
+
+/// Current outward unit normal of the slave face there.
+template <int D> Vec<D> normal_at(const ContactPoints<D>& points, const Surface<D>& slave, std::size_t i);
+
+/// Makes points those of a set of faces, which is in the reference configuration. `share`: of each, one half where two
+/// points act on both faces.
+template <int D> void make_set(ContactPoints<D>& points, const Surface<D>& faces, double share);
 
 /// Sets the axes to the projection of a direction onto the slave face, which is in the reference configuration. Throws
 /// Error where it is normal to the face.

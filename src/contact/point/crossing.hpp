@@ -12,6 +12,6 @@ namespace signorini::contact {
 /// is on another side of the master now. `seed`: start of the closest-point projection.
 template <int D>
 bool has_crossed(const Master<D>& before, const Master<D>& now, const Vec<D>& from, const Vec<D>& to,
-                 const Vec<D>& outward, const Projection<D>& seed, double allowed);
+                 const Vec<D>& outward, const Projection<D>& seed, double allowed, const Lookout<D>& lookout = {});
 
 } // namespace signorini::contact

@@ -4,6 +4,7 @@
 #include "contact/point/slip.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <type_traits>
 
 namespace signorini::contact {
@@ -29,6 +30,20 @@ template <int D> Master<D>::Master(Surface<D> face, double opposite) : rigid_(fa
 }
 
 template <int D>
+Master<D>::Master(Surface<D> face, double opposite, std::vector<int> bodies, std::vector<double> thickness)
+    : rigid_(false), surface_(std::move(face)), boxes_(bodies) {
+  surface_->extend(end_extension, end_extension * opposite);
+  boxes_.update(*surface_);
+  const auto& points = surface_->reference();
+  const double size = (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm();
+  std::vector<double> lengths(bodies.size(), 0.0);
+  for (int e = 0; e < surface_->elements(); ++e)
+    lengths[surface_->sheet(e)] = std::max(lengths[surface_->sheet(e)], std::sqrt(boxes_.diagonal2(e)));
+  set_ = std::make_shared<const FaceSet<D>>(
+      FaceSet<D>{std::move(bodies), std::move(thickness), *surface_, size, std::move(lengths)});
+}
+
+template <int D>
 Master<D>::Master(Obstacle<D> obstacle, std::optional<Turning<D>> turning, double opposite)
     : rigid_(true), motion_(std::move(turning)) {
   if (const auto* patch = std::get_if<nurbs::Patch>(&obstacle)) {
@@ -47,6 +62,7 @@ template <int D> double Master<D>::move(const double* displacement, const PointC
   else if (distance = motion_.move(displacement, opposite); surface_ && distance > 0)
     surface_->move(motion_.displacements(surface_->reference()).data());
   if (surface_ && (!rigid_ || distance > 0)) boxes_.update(*surface_);
+  if (set_ && boxes_.take_turning()) distance += 2 * set_->size;
   return distance;
 }
 
@@ -62,19 +78,20 @@ template <int D> void Master<D>::place(FaceGeometry<D>& point) const {
 }
 
 template <int D>
-Projection<D> Master<D>::project(const Vec<D>& x, const Projection<D>& seed, FaceGeometry<D>& point) const {
-  if (!shape_) return contact::project(*surface_, boxes_, x, seed, point);
+Projection<D> Master<D>::project(const Vec<D>& x, const Projection<D>& seed, FaceGeometry<D>& point,
+                                 const Lookout<D>& from) const {
+  if (!shape_) return contact::project(*surface_, boxes_, x, seed, point, from);
   with_shape<D>(*shape_, [&](const auto& shape) { find_closest(shape, motion_.pulled_back(x), point); });
   place(point);
   return {Foot::regular, 0, 0, point.xi, (x - point.position).dot(normal(point)), point.last};
 }
 
 template <int D> Vec<D> Master<D>::normal(const FaceGeometry<D>& point) const {
-  return (shape_ ? normal_of<D>(point.tangent) : surface_->outward(point.tangent)).normalized();
+  return (shape_ ? normal_of<D>(point.tangent) : outward(*surface_, point)).normalized();
 }
 
 template <int D> double Master<D>::fade(const FaceCoordinates<D>& xi, FaceCoordinates<D>& rate) const {
-  if (surface_) return surface_->extension().fade(xi, rate);
+  if (surface_) return surface_->sheet_data(surface_->sheet_at(xi)).extension.fade(xi, rate);
   rate.setZero();
   return 1;
 }
@@ -114,11 +131,12 @@ MasterPoint<D> Master<D>::advance(const MasterPoint<D>& slip, const FaceGeometry
 }
 
 template <int D>
-MasterPoint<D> Master<D>::along_normal(const Vec<D>& goal, const Vec<D>& normal, Projection<D> closest) const {
+MasterPoint<D> Master<D>::along_normal(const Vec<D>& goal, const Vec<D>& normal, Projection<D> closest,
+                                       const Lookout<D>& from) const {
   FaceGeometry<D> found;
   Vec<D> near = goal;
   for (int k = 0; k < slip_corrections; ++k) {
-    closest = project(near, closest, found);
+    closest = project(near, closest, found, from);
     const Vec<D> error = goal - found.position;
     near += error - normal.dot(error) * normal;
   }

@@ -19,28 +19,38 @@ template <int D> class Master {
 public:
   /// `opposite`: size of the slave's elements in the reference configuration.
   Master(Surface<D> face, double opposite = std::numeric_limits<double>::infinity());
+  /// A set of faces, a sheet of `face` each; `bodies`, `thickness`: see FaceSet.
+  Master(Surface<D> face, double opposite, std::vector<int> bodies, std::vector<double> thickness);
   Master(Obstacle<D> obstacle, std::optional<Turning<D>> turning = {},
          double opposite = std::numeric_limits<double>::infinity());
 
   bool rigid() const { return rigid_; }
   /// The moving face, or the rigid NURBS curve or surface; null for a closed-form shape.
   const Surface<D>* surface() const { return surface_ ? &*surface_ : nullptr; }
+  /// Null unless a set.
+  const FaceSet<D>* set() const { return set_.get(); }
   /// Number of functions on an element; the number of nodes when rigid.
   int functions_on(int element) const { return rigid_ ? motion_.nodes() : surface_->functions_on(element); }
   /// Largest number of functions on an element.
   int most_functions() const { return rigid_ ? motion_.nodes() : surface_->most_functions(); }
 
   /// Sets displacements, D values per function of the body, or per node of the obstacle. Returns an upper bound of the
-  /// distance by which any point has come closer to the convex hull of `opposite` (D × points).
+  /// distance by which any point has come closer to the convex hull of `opposite` (D × points); of a set more than any
+  /// distance in it where points may see parts that they did not see before.
   double move(const double* displacement, const PointColumns<D>& opposite = {});
   /// The bound of move() between another position of the master and this one.
   double moved_since(const Master& before, const PointColumns<D>& opposite) const;
 
   /// The closest point to x, see projection.hpp; `point` receives the geometry there (order 2) without functions.
-  /// Closed-form shapes have no ends.
-  Projection<D> project(const Vec<D>& x, const Projection<D>& seed, FaceGeometry<D>& point) const;
+  /// Closed-form shapes have no ends. `from`: of a set, see lookout().
+  Projection<D> project(const Vec<D>& x, const Projection<D>& seed, FaceGeometry<D>& point,
+                        const Lookout<D>& from = {}) const;
+  /// Of a set, see ElementBoxes.
+  double distance_in_sight(const Vec<D>& x, const Sight<D>& sight, double longest) const {
+    return boxes_.distance_in_sight(x, sight, std::min(longest, set_->size));
+  }
   /// True only if project() would find an open end; a quick test, which many points beyond an end pass.
-  bool is_beyond_ends(const Vec<D>& x) const { return boxes_.is_beyond_ends(x); }
+  bool is_beyond_ends(const Vec<D>& x, const Sight<D>& sight = {}) const { return boxes_.is_beyond_ends(x, sight); }
   /// Outward unit normal at a closest point other than a corner.
   Vec<D> normal(const FaceGeometry<D>& point) const;
   /// Factor on the traction at a closest point, below 1 beyond an open end; `rate` receives its derivatives.
@@ -54,7 +64,8 @@ public:
   /// The slip point after a step (slip.hpp); `foot` is the projected point.
   MasterPoint<D> advance(const MasterPoint<D>& slip, const FaceGeometry<D>& foot, double length) const;
   /// The point on the line through a goal along a normal, searched from a closest point.
-  MasterPoint<D> along_normal(const Vec<D>& goal, const Vec<D>& normal, Projection<D> closest) const;
+  MasterPoint<D> along_normal(const Vec<D>& goal, const Vec<D>& normal, Projection<D> closest,
+                              const Lookout<D>& from = {}) const;
 
 private:
   void place(FaceGeometry<D>& point) const;
@@ -64,6 +75,7 @@ private:
   std::optional<Surface<D>> surface_;
   ElementBoxes<D> boxes_;
   RigidMotion<D> motion_; ///< of a rigid master
+  std::shared_ptr<const FaceSet<D>> set_;
 };
 
 } // namespace signorini::contact

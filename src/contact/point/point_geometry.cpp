@@ -3,15 +3,18 @@
 namespace signorini::contact {
 
 template <int D>
-bool find_foot(const Master<D>& master, PointHistory<D>& point, PointResult<D>& result, FacePoint<D>& foot) {
+bool find_foot(const Master<D>& master, PointHistory<D>& point, PointResult<D>& result, FacePoint<D>& foot,
+               const Lookout<D>& from) {
   foot.settled = true;
-  if (master.is_beyond_ends(result.position))
+  result.beyond = master.is_beyond_ends(result.position, from.sight);
+  if (result.beyond)
     point.projection.foot = Foot::none; // the start of a later search stays
   else
-    point.projection = master.project(result.position, point.projection, foot);
-  result.beyond = point.projection.foot == Foot::none;
+    point.projection = master.project(result.position, point.projection, foot, from);
+  const bool found = point.projection.foot != Foot::none;
+  if (!found && point.projection.element >= 0) result.beyond = true; // otherwise nothing is near
   result.settled = foot.settled;
-  return !result.beyond;
+  return found;
 }
 
 template <int D>
@@ -62,7 +65,7 @@ template <int D> std::vector<std::array<std::size_t, 2>> pieces(const ContactPoi
 }
 
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \
-  template bool find_foot(const Master<D>&, PointHistory<D>&, PointResult<D>&, FacePoint<D>&);                         \
+  template bool find_foot(const Master<D>&, PointHistory<D>&, PointResult<D>&, FacePoint<D>&, const Lookout<D>&);      \
   template Vec<D> contact_normal(const Master<D>&, const Projection<D>&, const FaceGeometry<D>&, const Vec<D>&);       \
   template LocalGeometry<D> point_geometry(const ContactPoints<D>&, std::size_t, const Faces<D>&, const Vec<D>&,       \
                                            const Projection<D>&, const FacePoint<D>&);                                 \

@@ -12,7 +12,8 @@ template <int D> struct FootPoints { FacePoint<D> foot, slip_point; };
 /// Projects a contact point at the position in its result: writes closest point and result, and the geometry to `foot`.
 /// Returns false at an open end of the master.
 template <int D>
-bool find_foot(const Master<D>& master, PointHistory<D>& point, PointResult<D>& result, FacePoint<D>& foot);
+bool find_foot(const Master<D>& master, PointHistory<D>& point, PointResult<D>& result, FacePoint<D>& foot,
+               const Lookout<D>& from = {});
 
 /// n̄ at the closest point of a position.
 template <int D>

@@ -6,16 +6,54 @@
 
 namespace signorini::contact {
 
+namespace {
+
+/// The point at the end of the projection of a chord from `foot` to `slip`.
+template <int D>
+FaceCoordinates<D> along_chord(const Surface<D>& surface, const FaceCoordinates<D>& slip, const FaceGeometry<D>& foot,
+                               double length) {
+  FaceGeometry<D> point;
+  surface.locate(surface.find_element(slip), slip, 0, point);
+  const Vec<D> chord = point.position - foot.position;
+  const double present = chord.norm();
+  if (!(present > length)) return slip;
+  // x(ξ) is the closest point to y = x̄ + c (x_sl − x̄)/|x_sl − x̄|; on a curved surface c, the length on the chord, is
+  // slightly less than |x(ξ) − x̄|.
+  double on_chord = length;
+  FaceCoordinates<D> xi = foot.xi, best = xi;
+  double least = std::numeric_limits<double>::infinity(); // error of the best point
+  for (int iteration = 0; iteration < 30; ++iteration) {
+    const Vec<D> y = foot.position + (on_chord / present) * chord;
+    walk(surface, y, surface.find_element(xi), xi, point);
+    xi = point.xi;
+    const double distance = (point.position - foot.position).norm(), error = std::abs(distance - length);
+    if (!(distance > 0)) break;
+    const bool decreases = error < least;
+    if (decreases) {
+      least = error;
+      best = xi;
+    }
+    // Rounding error, that of the positions if a small error does not decrease any more.
+    if (error <= slip_rounding * present || (!decreases && least <= position_rounding * present)) break;
+    on_chord = std::min(on_chord * length / distance, present);
+  }
+  return best;
+}
+
+} // namespace
+
 FaceCoordinates<2> advance_slip(const Surface<2>& surface, const FaceCoordinates<2>& slip, const FaceGeometry<2>& foot,
                                 double length) {
-  const nurbs::Space1D& space = surface.direction(0);
+  const int sheet = surface.sheet(foot.element);
+  if (surface.sheet_at(slip) != sheet) return along_chord(surface, slip, foot, length);
+  const nurbs::Space1D& space = surface.direction(0, sheet);
   // h(ξ) = |x(ξ) − x̄| − L is positive at the old slip point and −L at the foot point: Newton's method with bisection as
   // safeguard.
   double outer = slip(0), inner = foot.xi(0);
   // On a closed curve the shorter path may cross the seam, where the parameter jumps by the period.
-  const auto& ends = surface.points();
+  const int first = surface.first_function(sheet), last = first + space.functions() - 1;
   const double period = space.last() - space.first();
-  if (ends.col(0).isApprox(ends.col(ends.cols() - 1)) && std::abs(outer - inner) > 0.5 * period)
+  if (surface.points().col(first).isApprox(surface.points().col(last)) && std::abs(outer - inner) > 0.5 * period)
     outer += std::copysign(period, inner - outer);
   const auto wrapped = [&](double xi) {
     return xi > space.last()    ? std::max(xi - period, space.first())
@@ -23,7 +61,8 @@ FaceCoordinates<2> advance_slip(const Surface<2>& surface, const FaceCoordinates
                                 : xi;
   };
   const auto locate = [&](double xi, int order, FaceGeometry<2>& point) {
-    surface.locate(space.find_element(wrapped(xi)), FaceCoordinates<2>(wrapped(xi)), order, point);
+    surface.locate(surface.first_element(sheet) + space.find_element(wrapped(xi)), FaceCoordinates<2>(wrapped(xi)),
+                   order, point);
   };
   FaceGeometry<2> point;
   locate(slip(0), 0, point);
@@ -48,32 +87,7 @@ FaceCoordinates<2> advance_slip(const Surface<2>& surface, const FaceCoordinates
 
 FaceCoordinates<3> advance_slip(const Surface<3>& surface, const FaceCoordinates<3>& slip, const FaceGeometry<3>& foot,
                                 double length) {
-  FaceGeometry<3> point;
-  surface.locate(surface.find_element(slip), slip, 0, point);
-  const Vec<3> chord = point.position - foot.position;
-  const double present = chord.norm();
-  if (!(present > length)) return slip;
-  // x(ξ) is the closest point to y = x̄ + c (x_sl − x̄)/|x_sl − x̄|; on a curved surface c, the length on the chord, is
-  // slightly less than |x(ξ) − x̄|.
-  double on_chord = length;
-  FaceCoordinates<3> xi = foot.xi, best = xi;
-  double least = std::numeric_limits<double>::infinity(); // error of the best point
-  for (int iteration = 0; iteration < 30; ++iteration) {
-    const Vec<3> y = foot.position + (on_chord / present) * chord;
-    walk(surface, y, surface.find_element(xi), xi, point);
-    xi = point.xi;
-    const double distance = (point.position - foot.position).norm(), error = std::abs(distance - length);
-    if (!(distance > 0)) break;
-    const bool decreases = error < least;
-    if (decreases) {
-      least = error;
-      best = xi;
-    }
-    // Rounding error, that of the positions if a small error does not decrease any more.
-    if (error <= slip_rounding * present || (!decreases && least <= position_rounding * present)) break;
-    on_chord = std::min(on_chord * length / distance, present);
-  }
-  return best;
+  return along_chord(surface, slip, foot, length);
 }
 
 } // namespace signorini::contact

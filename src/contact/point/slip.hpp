@@ -11,8 +11,8 @@ namespace signorini::contact {
 /// closed curve it follows the shorter path between them, if necessary across the seam.
 FaceCoordinates<2> advance_slip(const Surface<2>& surface, const FaceCoordinates<2>& slip, const FaceGeometry<2>& foot,
                                 double length);
-/// On a surface the path is the projection of the chord from `foot` to `slip`, that is along n_T, the direction of the
-/// trial traction.
+/// Across a link and on a surface the path is the projection of the chord from `foot` to `slip`, that is along n_T, the
+/// direction of the trial traction.
 FaceCoordinates<3> advance_slip(const Surface<3>& surface, const FaceCoordinates<3>& slip, const FaceGeometry<3>& foot,
                                 double length);
 

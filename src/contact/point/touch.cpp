@@ -10,9 +10,9 @@ double touch_fraction(double before, double now) {
 
 template <int D>
 std::optional<MasterPoint<D>> touch_point(const Master<D>& before, const Master<D>& now, const Touching<D>& from,
-                                          const Touching<D>& to, const Projection<D>& seed) {
+                                          const Touching<D>& to, const Projection<D>& seed, const Lookout<D>& lookout) {
   FaceGeometry<D> foot;
-  const Projection<D> first = before.project(from.position, seed, foot);
+  const Projection<D> first = before.project(from.position, seed, foot, lookout);
   if (first.foot == Foot::none) return {};
   const double distance = first.gap - from.offset;
   if (distance <= 0) return first.point();
@@ -23,7 +23,7 @@ std::optional<MasterPoint<D>> touch_point(const Master<D>& before, const Master<
   if (first.foot == Foot::regular) start = carried.position + first.gap * now.normal(carried);
   Projection<D> found = first;
   const auto distance_at = [&](double s) {
-    found = now.project(start + s * (to.position - start), found, foot);
+    found = now.project(start + s * (to.position - start), found, foot, lookout);
     return found.gap - from.offset - s * (to.offset - from.offset);
   };
   double ahead = distance_at(1);
@@ -42,8 +42,8 @@ std::optional<MasterPoint<D>> touch_point(const Master<D>& before, const Master<
 }
 
 template std::optional<MasterPoint<2>> touch_point(const Master<2>&, const Master<2>&, const Touching<2>&,
-                                                   const Touching<2>&, const Projection<2>&);
+                                                   const Touching<2>&, const Projection<2>&, const Lookout<2>&);
 template std::optional<MasterPoint<3>> touch_point(const Master<3>&, const Master<3>&, const Touching<3>&,
-                                                   const Touching<3>&, const Projection<3>&);
+                                                   const Touching<3>&, const Projection<3>&, const Lookout<3>&);
 
 } // namespace signorini::contact

@@ -20,7 +20,8 @@ template <int D> struct Touching {
 /// the closest-point projections.
 template <int D>
 std::optional<MasterPoint<D>> touch_point(const Master<D>& before, const Master<D>& now, const Touching<D>& from,
-                                          const Touching<D>& to, const Projection<D>& seed);
+                                          const Touching<D>& to, const Projection<D>& seed,
+                                          const Lookout<D>& lookout = {});
 
 /// The fraction of a step at which a gap closes that changes linearly from `before` to `now` < 0: 0 if it is closed
 /// before.

@@ -187,7 +187,7 @@ private:
     measure_ = slave_measure(geometry_, derivative);
     const Projection<D>& projection = master_.project(own_.position, foot_);
     if (projection.foot != Foot::none) return true;
-    const Vec<D> away = own_.position - foot_.position, normal = master_.face.outward(foot_.tangent).normalized();
+    const Vec<D> away = own_.position - foot_.position, normal = outward(master_.face, foot_).normalized();
     return (away - away.dot(normal) * normal).norm() <= end_overhang * longest_side(master_.face, foot_);
   }
 
@@ -197,8 +197,7 @@ private:
       if (!find(element, xi)) continue;
       const double distance = (own_.position - foot_.position).norm();
       const double length = std::max(longest_side(slave_, own_), longest_side(master_.face, foot_));
-      const double cosine =
-          slave_.outward(own_.tangent).normalized().dot(master_.face.outward(foot_.tangent).normalized());
+      const double cosine = outward(slave_, own_).normalized().dot(outward(master_.face, foot_).normalized());
       if (distance * seam_.length >= seam_.distance.value * length) {
         seam_.distance = {distance, own_.position};
         seam_.length = length;

@@ -95,8 +95,8 @@ Vec<D> body_traction(const Model<D>& model, const contact::Formulation<D>& formu
     element += base * own;
     base *= space.elements(d);
   }
-  const Vec<D> normal = formulation.slave().outward(contact::tangents(formulation.points(), formulation.slave(), i));
-  return cauchy_stress<D>(model, face.body, regular_point(model, face.body, element, xi)) * normal.normalized();
+  const Vec<D> normal = normal_at(formulation.points(), formulation.slave(), i);
+  return cauchy_stress<D>(model, face.body, regular_point(model, face.body, element, xi)) * normal;
 }
 
 template <int D> void mark(const Model<D>& model, std::size_t k, bool measured, std::vector<LayerLine>& lines) {

@@ -100,10 +100,7 @@ void warn_of_strain(System<D>& system, std::size_t k, const Overlap<D>& deepest,
   const double strain = closing_strain(system.scene, contact, master, deepest);
   const contact::Formulation<D>& formulation = *system.contacts[k];
   if (strain <= meant_strain ||
-      can_part(system, contact,
-               Vec<D>(formulation.slave()
-                          .outward(tangents(formulation.points(), formulation.slave(), deepest.point))
-                          .normalized())))
+      can_part(system, contact, normal_at(formulation.points(), formulation.slave(), deepest.point)))
     return;
   warnings.push_back(Message("model.warning.overlap", {{"contact", contact.name},
                                                        {"slave", faces_message(system.scene, contact.slave)},
@@ -161,8 +158,7 @@ template <int D> Nearest<D> nearest_of(const contact::Formulation<D>& contact, c
     const contact::Projection<D> found = contact.master().project(x, history.points[i].projection, foot);
     if (found.foot != contact::Foot::regular || std::abs(found.gap) >= std::abs(nearest.gap)) continue;
     if (contact::FaceCoordinates<D> rate; contact.master().fade(found.xi, rate) < 1) continue; // beyond an open end
-    const Vec<D> outward = contact.slave().outward(tangents(contact.points(), contact.slave(), i)).normalized();
-    nearest = {found.gap, outward.dot(contact.master().normal(foot)), x};
+    nearest = {found.gap, normal_at(contact.points(), contact.slave(), i).dot(contact.master().normal(foot)), x};
   }
   return nearest;
 }

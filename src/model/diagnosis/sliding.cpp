@@ -54,13 +54,15 @@ template <int D> bool floats(const std::vector<UnconstrainedMotion>& motions, in
 
 /// Outward unit normals of the slave face at the points that touch in a state.
 template <int D>
-std::vector<Vec<D>> touching_normals(const contact::Surface<D>& slave, const contact::History<D>& history) {
+std::vector<Vec<D>> touching_normals(const contact::Formulation<D>& contact, const contact::History<D>& history) {
   std::vector<Vec<D>> normals;
-  for (const auto& point : history.results) {
+  for (std::size_t i = 0; i < history.results.size(); ++i) {
+    const auto& point = history.results[i];
     if (!contact::touches(point.state)) continue;
     std::array<Vec<D>, D - 1> tangents;
     for (int a = 0; a < D - 1; ++a) tangents[a] = point.tangents.col(a);
-    normals.push_back(slave.outward(tangents).normalized());
+    const int sheet = contact.slave().sheet(contact.points().list[i].element);
+    normals.push_back((contact.slave().sheet_data(sheet).orientation * contact::normal_of<D>(tangents)).normalized());
   }
   return normals;
 }
@@ -93,8 +95,8 @@ template <int D> Message exhausted_friction(const Model<D>& model) {
     const contact::Formulation<D>& contact = *model.system.contacts[k];
     const contact::History<D>& present = model.present.contacts[k];
     // In the state before the step, which is in equilibrium, if points touch there
-    std::vector<Vec<D>> normals = touching_normals(contact.slave(), model.accepted.contacts[k]);
-    if (normals.empty()) normals = touching_normals(contact.slave(), present);
+    std::vector<Vec<D>> normals = touching_normals(contact, model.accepted.contacts[k]);
+    if (normals.empty()) normals = touching_normals(contact, present);
     if (normals.empty()) continue;
     Vec<D> n = Vec<D>::Zero(), force = n;
     for (const Vec<D>& one : normals) n += one;

@@ -41,7 +41,7 @@ template <int D> TieProfile tie_profile(const Model<D>& model, int tie) {
     slave.locate(slave_element, slave_xi, 1, now);
     master.locate(master_element, master_xi, 0, foot);
     own.master().locate(master_element, master_xi, 0, foot_before);
-    const Vec<D> traction = own.combine(i, lambda.data()), normal = slave.outward(now.tangent).normalized();
+    const Vec<D> traction = own.combine(i, lambda.data()), normal = outward(slave, now).normalized();
     for (std::size_t c = 0; c < D; ++c) {
       const auto k = static_cast<Eigen::Index>(c);
       result.position[c].push_back(now.position(k));

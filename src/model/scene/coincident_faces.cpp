@@ -109,7 +109,7 @@ template <int D> Distances distances_on(const BoxedFace<D>& first, const BoxedFa
     distances.push_back(std::numeric_limits<double>::infinity());
     if (projection.foot == contact::Foot::none) return;
     const double length = std::max(longest_side(face, probe), longest_side(other, foot));
-    const double cosine = face.outward(probe.tangent).normalized().dot(other.outward(foot.tangent).normalized());
+    const double cosine = outward(face, probe).normalized().dot(outward(other, foot).normalized());
     distances.back() = (probe.position - foot.position).norm();
     apart = distances.back() > most_seam_distance * length || cosine > coincident_facing;
   });

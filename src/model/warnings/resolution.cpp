@@ -67,12 +67,11 @@ template <int D> std::optional<Narrow> narrow_zone(const Model<D>& model, int in
   double most = 1;
   for (int a = 0; a < D - 1; ++a) {
     const contact::ZoneExtent& extent = zone->extent[a];
-    const auto place = std::div(zone->element, slave.direction(0).elements());
     if (extent.edges == 2) continue;
     const double width = (1 + extent.edges) * extent.elements;
     const double functions = space.functions > 0
                                  ? space.functions
-                                 : functions_per_element(slave.direction(a), a == 0 ? place.rem : place.quot);
+                                 : functions_per_element(slave.along(zone->element, a), slave.index(zone->element, a));
     const double least = least_functions(space, slave.degree(zone->element, a)) / functions;
     if (width / least >= most) continue;
     most = width / least;

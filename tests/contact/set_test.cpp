@@ -1,0 +1,236 @@
+// Sets of faces: ways across their borders, admissible feet, tangents, and what two separate faces have in common with
+// two contacts.
+#include "contact/tangents.hpp"
+
+#include "contact/faces3d.hpp"
+#include "contact/moved.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace signorini::contact {
+namespace set_test {
+
+using namespace test;
+
+template <int D> Surface<D> set_of(const nurbs::Discretization& body, const std::vector<const char*>& sides) {
+  std::vector<Surface<D>> sheets;
+  for (const char* side : sides) sheets.emplace_back(body, nurbs::side_of(side, D), 0);
+  return Surface<D>(sheets);
+}
+
+/// Faces of one body in contact with each other.
+template <int D> struct Folded {
+  nurbs::Discretization body;
+  Pair<D> pair;
+  VectorX u;
+
+  Folded(nurbs::Discretization any, const std::vector<const char*>& sides, const Law& law, int points, double thickness,
+         bool revolved = false)
+      : body(std::move(any)), pair(set_of<D>(body, sides),
+                                   Master<D>(set_of<D>(body, sides), 1.0, std::vector<int>(sides.size(), 0),
+                                             std::vector<double>(sides.size(), thickness)),
+                                   law, points, revolved),
+        u(VectorX::Zero(D * body.functions())) {}
+
+  int die_dofs() const { return 0; }
+  int base_dofs() const { return static_cast<int>(u.size()); }
+  int first_extra() const { return base_dofs(); }
+  Dense dense() const { return test::dense(pair, 0, base_dofs()); }
+  Folded& evaluate() {
+    pair.evaluate(u.data(), u.data());
+    return *this;
+  }
+  Folded& shake(Random& random, double size) {
+    for (int i = 0; i < u.size(); ++i) u(i) += uniform(random, -size, size);
+    return *this;
+  }
+  /// Moves the control points to map(X).
+  template <class Map> Folded& bend(const Map& map) {
+    const MatrixX points = body.points();
+    for (int i = 0; i < points.cols(); ++i) u.template segment<D>(D * i) = map(Vec<D>(points.col(i))) - points.col(i);
+    return *this;
+  }
+};
+
+// ── Ways across borders ──────────────────────────────────────────────────────────────────────────────────────────────
+
+template <int D> void compare_borders(const Surface<D>& set, int least) {
+  FaceGeometry<D> here, there;
+  int links = 0;
+  for (int e = 0; e < set.elements(); ++e)
+    for (int alpha = 0; alpha < D - 1; ++alpha)
+      for (const bool at_end : {false, true})
+        for (const double part : {0.0, 0.3, 1.0}) {
+          if (set.neighbor(e, alpha, at_end) >= 0) continue;
+          FaceCoordinates<D> xi;
+          for (int d = 0; d < D - 1; ++d) {
+            const auto [from, to] = set.interval(e, d);
+            xi(d) = d == alpha ? (at_end ? to : from) : (1 - part) * from + part * to;
+          }
+          const Entry<D> entry = across(set, e, alpha, at_end, xi);
+          if (entry.element < 0) continue;
+          ++links;
+          set.locate(e, xi, 0, here);
+          set.locate(entry.element, entry.xi, 0, there);
+          EXPECT_LE((here.position - there.position).norm(), 1e-13);
+          EXPECT_EQ(set.find_element(entry.xi) == entry.element || part == 0 || part == 1, true);
+          const Entry<D> back = across(set, entry.element, entry.alpha, entry.at_end, entry.xi);
+          EXPECT_EQ(back.element, e);
+          EXPECT_EQ(back.alpha, alpha);
+          EXPECT_EQ(back.at_end, at_end);
+          EXPECT_LE((back.xi - xi).norm(), 1e-13);
+        }
+  EXPECT_GE(links, least);
+}
+
+TEST(Set, BordersWithCommonControlPointsAreLinked) {
+  const nurbs::Discretization block = discretize(nurbs::rectangle(2, 1, Eigen::Vector2d(0, 0)), {3, 2}, "N2", "north");
+  compare_borders(set_of<2>(block, {"south", "east", "north", "west"}), 8 * 3);
+  compare_borders(set_of<2>(block, {"west", "south", "east"}), 4 * 3);
+  const nurbs::Discretization solid =
+      discretize(nurbs::block({2, 1, 1.5}, Eigen::Vector3d(0, 0, 0)), {3, 2, 2}, "N2", "back");
+  compare_borders(set_of<3>(solid, {"south", "east", "north", "west", "front", "back"}), 24 * 2 * 3);
+}
+
+// ── Tangents ─────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+/// A strip bent to an ellipse so flat that its inner faces overlap by 0.01 or more.
+Folded<2> closed_loop(const Law& law, unsigned seed) {
+  Folded<2> strip(discretize(nurbs::rectangle(10, 0.2, Eigen::Vector2d(0, 0)), {16, 1}, "N2", "north"), {"north"}, law,
+                  6, 0.2);
+  Random random(seed);
+  strip.bend([](const Vec<2>& X) -> Vec<2> {
+    const double t = 2 * std::numbers::pi * (0.03 + 0.94 * X(0) / 10), a = 1.6, b = 0.09;
+    const Vec<2> out = Vec<2>(b * std::cos(t), a * std::sin(t)).normalized();
+    return Vec<2>(a * std::cos(t), b * std::sin(t)) - (X(1) - 0.1) * out;
+  });
+  strip.shake(random, 0.002);
+  return strip;
+}
+
+TEST(Set, TangentIsTheForcesDerivativeInAFold) {
+  Census census;
+  for (unsigned seed = 1; seed <= 3; ++seed)
+    for (const double mu : {0.0, 0.3})
+      for (const Pass pass : {Pass::full, Pass::half}) {
+        Folded<2> loop = closed_loop(Law({100, 80, mu}, {}, pass), seed);
+        Random random(seed);
+        loop.evaluate().pair.accept();
+        for (const double size : {3e-4, 0.003}) {
+          loop.shake(random, size);
+          compare_with_differences(loop, random, census);
+        }
+      }
+  census.expect({.states = 15, .open = 200, .stick = 100, .slip = 50});
+}
+
+/// 3D: a plate bent to a flat tube whose inner faces overlap.
+TEST(Set, TangentIsTheForcesDerivativeOfSolids) {
+  Census census;
+  for (const double mu : {0.0, 0.3})
+    for (const Pass pass : {Pass::full, Pass::half}) {
+      const nurbs::Discretization plate =
+          discretize(nurbs::block({10, 1, 0.2}, Eigen::Vector3d(0, 0, 0)), {10, 2, 1}, "N2", "back");
+      Folded<3> tube(plate, {"back"}, Law({100, 800, mu}, {}, pass), 3, 0.2);
+      Random random(5);
+      tube.bend([](const Vec<3>& X) -> Vec<3> {
+        const double t = 2 * std::numbers::pi * (0.03 + 0.94 * X(0) / 10), a = 1.6, b = 0.09;
+        const Vec<2> out = Vec<2>(b * std::cos(t), a * std::sin(t)).normalized();
+        const Vec<2> at = Vec<2>(a * std::cos(t), b * std::sin(t)) - (X(2) - 0.1) * out;
+        return {at(0), X(1), at(1)};
+      });
+      tube.shake(random, 0.002).evaluate().pair.accept();
+      for (const double size : {3e-4, 0.002}) {
+        tube.shake(random, size);
+        compare_with_differences(tube, random, census);
+      }
+    }
+  census.expect({.states = 6, .stick = 50, .slip = 20});
+}
+
+TEST(Set, TangentIsTheForcesDerivativeWhereAnEndPokesIntoAFlank) {
+  Census census;
+  for (unsigned seed = 1; seed <= 4; ++seed)
+    for (const Pass pass : {Pass::full, Pass::half}) {
+      // A strip bent by 270 degrees pokes with its end into its flank.
+      Folded<2> strip(discretize(nurbs::rectangle(4, 0.5, Eigen::Vector2d(0, 0)), {12, 2}, "N2", "north"),
+                      {"south", "east", "north", "west"}, Law({100, 80, 0.3}, {}, pass), 6, 0.5);
+      Random random(seed);
+      const double tip = uniform(random, 0.01, 0.05);
+      strip.bend([&](const Vec<2>& X) -> Vec<2> {
+        const double t = 1.5 * std::numbers::pi * std::clamp(X(0) / 3 - 0.2, 0.0, 1.0), r = 0.5;
+        const Vec<2> along(std::cos(t), std::sin(t)), across(-std::sin(t), std::cos(t));
+        const Vec<2> middle = Vec<2>(r * std::sin(t), r * (1 - std::cos(t)));
+        const double straight = X(0) < 0.6 ? X(0) - 0.6 : std::max(X(0) - 3.6, 0.0);
+        return middle + straight * along + (X(1) - 0.25) * across + (X(0) > 3.6 ? tip : 0) * along;
+      });
+      strip.shake(random, 0.002).evaluate().pair.accept();
+      strip.shake(random, 0.001);
+      compare_with_differences(strip, random, census);
+    }
+  census.expect({.states = 4, .stick = 20});
+}
+
+// ── Admissible feet ──────────────────────────────────────────────────────────────────────────────────────────────────
+
+/// The center line of a strip of length 1 that rolls up at random: its points, and the angles of its tangents.
+struct Roll {
+  static constexpr int count = 400;
+  std::vector<Vec<2>> points{Vec<2>::Zero()};
+  std::vector<double> angles{0};
+
+  Roll(Random& random, double most) {
+    const double a = uniform(random, -most, most), b = uniform(random, -most, most), c = uniform(random, -most, most);
+    for (int i = 0; i < count; ++i) {
+      const double s = (i + 0.5) / count, turn = a + b * std::cos(5 * s) + c * s;
+      angles.push_back(angles.back() + turn / count);
+      const double middle = 0.5 * (angles[angles.size() - 2] + angles.back());
+      points.push_back(points.back() + Vec<2>(std::cos(middle), std::sin(middle)) / count);
+    }
+  }
+  Vec<2> at(double s, double across) const {
+    const double place = std::clamp(s, 0.0, 1.0) * count;
+    const auto i = std::min(static_cast<std::size_t>(place), points.size() - 2);
+    const double part = place - static_cast<double>(i);
+    const double angle = (1 - part) * angles[i] + part * angles[i + 1];
+    return (1 - part) * points[i] + part * points[i + 1] + across * Vec<2>(-std::sin(angle), std::cos(angle));
+  }
+  /// Least distance of two points of the center line that are farther apart along it.
+  double least_distance(double apart) const {
+    double least = 1;
+    const auto step = static_cast<std::size_t>(apart * count);
+    for (std::size_t i = 0; i < points.size(); i += 2)
+      for (std::size_t j = i + step; j < points.size(); j += 2) least = std::min(least, (points[i] - points[j]).norm());
+    return least;
+  }
+};
+
+/// Strips that roll up without overlap have no contact, all around; those whose layers overlap have.
+TEST(Set, ContactOfRolledStripsIsThatOfTheirLayers) {
+  Random random(4);
+  constexpr double thickness = 0.04;
+  int apart = 0, overlapping = 0;
+  for (int trial = 0; trial < 150; ++trial) {
+    const Roll roll(random, 14);
+    const double bend = *std::ranges::max_element(roll.angles) - *std::ranges::min_element(roll.angles);
+    const double distance = roll.least_distance(3 * thickness);
+    // Layers between which no control polygon decides
+    const bool free = distance > 1.3 * thickness, overlaps = distance < 0.8 * thickness && distance > 0.6 * thickness;
+    if (bend < 3 || (!free && !overlaps)) continue;
+    Folded<2> strip(discretize(nurbs::rectangle(1, thickness, Eigen::Vector2d(0, 0)), {60, 1}, "N2", "north"),
+                    {"south", "east", "north", "west"}, InterfaceLaw{100, 80}, 4, thickness);
+    strip.bend([&](const Vec<2>& X) { return roll.at(X(0), X(1) - thickness / 2); }).evaluate();
+    const auto closed = std::ranges::count_if(strip.pair.results(), [](const auto& one) { return touches(one.state); });
+    ++(free ? apart : overlapping);
+    if (free)
+      EXPECT_EQ(closed, 0) << trial;
+    else
+      EXPECT_GT(closed, 0) << trial;
+  }
+  EXPECT_GT(apart, 20);
+  EXPECT_GT(overlapping, 3);
+}
+
+} // namespace set_test
+} // namespace signorini::contact
