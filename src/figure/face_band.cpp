@@ -30,11 +30,14 @@ BandPoint band_point(const model::Model<2>& model, const model::FaceReference& s
 
 } // namespace
 
-view::Body face_band(const model::Model<2>& model, model::FaceField field, int contact, std::size_t face,
+view::Body face_band(const model::Model<2>& model, model::FaceField field, const model::FaceReference& face,
                      const Showing& showing, double size) {
-  const model::FaceReference& reference = model.system.scene.contacts[contact].slave[face];
-  const contact::Surface<2> slave(model.system.scene.bodies[reference.body].body->space(), reference.side);
-  const model::FaceValues<2> values(model, field, contact, face);
+  const contact::Surface<2> slave(model.system.scene.bodies[face.body].body->space(), face.side);
+  std::vector<model::FaceValues<2>> values; // of all contacts of the face
+  for (std::size_t c = 0; c < model.system.scene.contacts.size(); ++c)
+    for (std::size_t k = 0; k < model.system.scene.contacts[c].slave.size(); ++k)
+      if (model.system.scene.contacts[c].slave[k] == face && has(model.system.scene.contacts[c], field))
+        values.emplace_back(model, field, static_cast<int>(c), k);
   const int divisions = std::clamp(400 / slave.elements(), 8, 40), count = slave.elements() * (divisions + 1);
   std::vector<BandPoint> places;
   view::Body band;
@@ -44,9 +47,10 @@ view::Body face_band(const model::Model<2>& model, model::FaceField field, int c
       const auto [from, to] = slave.interval(e, 0);
       const double fraction = double(k) / divisions;
       const auto i = static_cast<Eigen::Index>(places.size());
-      places.push_back(band_point(model, reference, from + (to - from) * fraction, showing.deformed));
-      band.skin.values(i) = band.skin.values(count + i) =
-          showing.factor * values.at_place(e, contact::FaceCoordinates<2>(fraction));
+      places.push_back(band_point(model, face, from + (to - from) * fraction, showing.deformed));
+      double sum = 0;
+      for (const auto& one : values) sum += one.at_place(e, contact::FaceCoordinates<2>(fraction));
+      band.skin.values(i) = band.skin.values(count + i) = showing.factor * sum;
     }
   // Half of the thickness of the elements at the face, within visible limits.
   double depth = 0;

@@ -37,9 +37,9 @@ view::Panel show(const std::vector<nurbs::Patch>& patches, const Showing& showin
 /// The drawing of a body or patch.
 view::Body picture_body(tessellation::Skin skin, const Showing& showing);
 
-/// A band along the slave face of a contact, inside its body, colored by the field; `size`: longest side of the drawn
-/// bodies.
-view::Body face_band(const model::Model<2>& model, model::FaceField field, int contact, std::size_t face,
+/// A band along a slave face, inside its body, colored by the field of all its contacts; `size`: longest side of the
+/// drawn bodies.
+view::Body face_band(const model::Model<2>& model, model::FaceField field, const model::FaceReference& face,
                      const Showing& showing, double size);
 
 /// The tractions at the closed contact points on the slave faces of the drawn bodies.

@@ -69,11 +69,15 @@ void add_bands(view::Panel& panel, const model::Model<2>& model, model::FaceFiel
   view::Bounds box;
   for (const view::Body& body : panel.bodies) box.take(body.skin.points);
   std::vector<view::Body> bands;
-  const auto& contacts = model.system.scene.contacts;
-  for (std::size_t c = 0; c < contacts.size(); ++c)
-    for (std::size_t k = 0; k < contacts[c].slave.size() && has(contacts[c], field); ++k)
-      if (std::count(showing.bodies.begin(), showing.bodies.end(), contacts[c].slave[k].body) > 0)
-        bands.push_back(face_band(model, field, static_cast<int>(c), k, showing, box.size()));
+  model::Faces drawn;
+  for (const auto& contact : model.system.scene.contacts) {
+    if (!has(contact, field)) continue;
+    for (const model::FaceReference& face : contact.slave) {
+      if (drawn.contains(face) || std::count(showing.bodies.begin(), showing.bodies.end(), face.body) == 0) continue;
+      drawn.push_back(face);
+      bands.push_back(face_band(model, field, face, showing, box.size()));
+    }
+  }
   panel.bodies.insert(panel.bodies.begin(), bands.begin(), bands.end());
 }
 
