@@ -62,6 +62,7 @@ TEST(Model, InvalidScenesAreErrors) {
   EXPECT_ERROR(Model<2>(Scene<2>{}), "model.scene.no_body");
   Scene<2> self = ironing("N2");
   self.contacts[0].master = self.contacts[0].slave;
+  std::get<Faces>(self.contacts[0].master).push_back(std::get<Faces>(ironing("N2").contacts[0].master).front());
   EXPECT_ERROR(Model<2>(std::move(self)), "model.scene.own_face: contact = interface");
   Scene<2> kinds = square({{"bed", "south", {Constraint::fixed, Constraint::fixed}}});
   kinds.kind = solid::Kind::axisymmetric;

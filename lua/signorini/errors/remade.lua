@@ -45,7 +45,8 @@ local function contact_faces(values, singles)
   local faces, objects = {}, lists.map(singles, function(one) return one.object end)
   for _, name in ipairs(lists.sorted_names(values.contacts or {})) do
     local contact = values.contacts[name]
-    each_face({ contact.slave, core.kind(contact.master) ~= "obstacle" and contact.master or nil }, function(face)
+    local master = core.kind(contact.master) ~= "obstacle" and contact.master or {}
+    each_face({ contact.slave or {}, master, contact.among or {} }, function(face)
       local number, _, side = core.owner(face, objects)
       local single = singles[number]
       faces[single.owner] = lists.unique(lists.joined(faces[single.owner] or {}, { single.face:format(side) }))

@@ -172,4 +172,30 @@ function rows.conflict_of_cohesive(values)
   end
 end
 
+--- A message for faces that are neither slave and master nor a set.
+function rows.conflict_of_faces(values)
+  if not values.among then
+    for _, key in ipairs { "slave", "master" } do
+      if not values[key] then
+        return ("it needs %s, a face: give slave and master, or among = … for faces in contact with each other"):format(
+          key)
+      end
+    end
+    return nil
+  end
+  for _, key in ipairs { "slave", "master" } do
+    if values[key] then return ("it has both among and %s: a set has no %s, remove one of the two"):format(key, key) end
+  end
+  local points = 'a set has no slave, so that contact is at points: write method = "gpts" or "half_passes", without '
+    .. "multipliers"
+  for _, key in ipairs { "multipliers", "cohesive" } do
+    if values[key] then return ("it has both among and %s, but %s"):format(key, points) end
+  end
+  if values.method == "mortar" then return 'it has both among and method = "mortar", but ' .. points end
+  if values.enforcement ~= "penalty" then return 'it has both among and enforcement = "multipliers", but ' .. points end
+  if values.overlap ~= "error" then
+    return 'it has both among and overlap = "interference", which needs to know the two faces: give slave and master'
+  end
+end
+
 return rows

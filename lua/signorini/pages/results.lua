@@ -54,11 +54,12 @@ whatever `per` of the contact is; with method = "mortar" `area`, pressure and tr
 friction or wear also mu, the coefficient with which a touching point slips or, of a formula, would begin to
 (orthotropic: friction along the slip over pressure; 0 with wear alone), and slip, since the touch, without the elastic
 slip of the penalty; with method = "mortar" and a penalty both are interpolated between multipliers, as is the pressure.
-With wear worn, its depth, which a contact keeps while it is switched off. In 3D also z, Z, and tx, ty, tz, the
-components of the friction traction t_T, whose magnitude is `traction`; -t_T acts on the slave. Reading any other field
-is an error.]],
+With wear worn, its depth, which a contact keeps while it is switched off. A set (among) has the points of all its
+faces, each with half of its area, and face, "<body>.<face>"; gap is nan where no face is opposite within three
+elements. In 3D also z, Z, and tx, ty, tz, the components of the friction traction t_T, whose magnitude is `traction`;
+-t_T acts on the slave. Reading any other field is an error.]],
     arguments = { a_contact },
-    returns = t.record("x y X Y area inside pressure traction gap", t.numbers(), "state", t.list(t.text),
+    returns = t.record("x y X Y area inside pressure traction gap", t.numbers(), "state face?", t.list(t.text),
       "z? Z? tx? ty? tz?", t.numbers(), "damage? mix? mu? slip? worn?", t.numbers()),
     example = "model:profile(\"interface\").pressure" },
   { "model:sample", "Returns a field's value at a parametric point of a body.",
@@ -118,7 +119,9 @@ tractions act; of mortar contact with a penalty also weighted_penetration, the l
 or wear slip, the mean slip since the touch over the area of the points that touch; of a cohesive contact debonded, the
 area of new surface: energy dissipated by bonds over energy of separation; with wear worn_volume, the volume that has
 been worn off, which half passes share; with "half_passes" also imbalance, |f + f2| / max(|f|, |f2|) with the force f2
-of the other pass: by how much action and reaction differ, 0 without forces. unsettled: how often, in all accepted
+of the other pass: by how much action and reaction differ, 0 without forces. A set (among) has no force; its area is the
+mean of both sides, and pairs["<body>_<body>"] { fx, fy, fz } the force of the second body on the first, of half passes
+half of the difference of both, with imbalance |sum f| / (sum |f| / 2). unsettled: how often, in all accepted
 states so far, the search for a closest point or slip point ended at the limit of iterations; unsettled_at is the
 reference position of the latest such point. With a formula of friction or wear flawed: how often it was negative at a
 point, not a finite number, or fell faster with the slip than the tangential penalty can follow; flaw ("negative",
@@ -126,7 +129,8 @@ point, not a finite number, or fell faster with the slip than the tangential pen
 passed through the master without contact since the accepted state, 0 in accepted states; crossed_at is the reference
 position of the last of them. Reading any other field is an error.]],
     arguments = { a_contact },
-    returns = t.record("fx fy", t.number, "fz?", t.number, "area max_pressure mean_pressure max_penetration", t.number,
+    returns = t.record("fx? fy? fz?", t.number, "pairs?", t.any,
+      "area max_pressure mean_pressure max_penetration", t.number,
       "weighted_penetration? imbalance? slip? debonded? worn_volume?", t.number,
       "active slipping unsettled crossed flawed?", t.integer(0), "per", t.text, "flaw?", t.text,
       "unsettled_at? crossed_at? flawed_at?", t.point),

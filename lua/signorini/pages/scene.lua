@@ -30,11 +30,18 @@ local contact = {
   { "slave", slave, [[face over which contact is integrated; pressures are computed at its contact points. Use the finer
 mesh, of equal meshes the softer body (the published ironing studies use the stiff die); with enforcement =
 "multipliers" the softer body, whose functions can follow all multipliers of its face. A list of adjacent faces, of
-joined bodies or of one, acts as one face: a chain in the plane, a row or a full grid in 3D]] },
+joined bodies or of one, acts as one face: a chain in the plane, a row or a full grid in 3D; against an obstacle,
+without multipliers, any list]], optional = true },
   { "master", t.either(obstacle, t.flat(face)), [[face of the other body onto which these points are projected, a
 list of adjacent faces, or an obstacle. Points slide across the borders of a list; only its ends are edges. Beyond its
 edges (a closed ring has none along its arc) the master is extended by 0.3 of an element, the smaller of its last one
-and the slave's; there the traction decreases to zero]] },
+and the slave's; there the traction decreases to zero]], optional = true },
+  { "among", t.worded(t.either(t.flat(face), t.choice { "all" }), 'a face, a list of faces, or "all"'), [[in place of
+slave and master: faces of one body or several, any of which may touch itself and any other. Every point of every face
+is a contact point, so that no side is preferred; method is "gpts" or "half_passes". Borders that faces of the list have
+in common are no edges, and corners between them are in contact as well. A piece that turns by less than 60 degrees has
+no contact with itself. "all": all faces of all bodies that are neither joined nor tied, and every obstacle that a
+support holds, with which contacts are named <name>.<support>]], optional = true },
   { "penalty", t.positive, [[normal penalty: p = -penalty g where the gap g is negative. By default 30 E / h, E of the
 softer body, h the (harmonic) mean size of the slave's elements in the contact; print(model) shows it. In Hertz's
 contacts the force is then right to 1 or 2 %, and at Gauss points the peak pressure to 10 % where at least 7 control
@@ -150,6 +157,8 @@ local function conflict_of_pressure(values)
 end
 
 contact.conflict = function(values)
+  local faces = rows.conflict_of_faces(values)
+  if faces then return faces end
   if values.clearance and not values.pressure then return "it has clearance without pressure, which alone knows it" end
   local wrong = values.cohesive and rows.conflict_of_cohesive(values)
     or values.adhesion and conflict_of_adhesion(values) or values.pressure and conflict_of_pressure(values)
@@ -335,17 +344,22 @@ model:reaction(name) is the force; the columns of a run are <name>.fx …, and t
                 [[
 loads = { sea = { on = die:face "east", pressure = function(x, y) return 9.81e-3 * (2 - y) end, factor = 0 },
           tip = { on = slab:corner "north-east", force = {0, -0.01} } }]] } },
-  { "contact", "Defines contact between the face of a body and another body or an obstacle.",
-    head = "contacts = { <name> = { slave, master, penalty, friction, method, enforcement, … } }, in sg.model{ … }",
+  { "contact", "Defines contact between faces of bodies, or with an obstacle.",
+    head = "contacts = { <name> = { slave, master, or among, penalty, friction, method, … } }, in sg.model{ … }",
     named = contact,
     more = [[Results: model:profile(name), model:contact_resultant(name), the columns <name>.fx … of a run (force on the
 slave). Two half passes have two names: <name> is the pass over the slave face, <name>.master that over the master face.
+Between two bodies of a set (among) there are columns <name>.<body>_<body>.fx …, the force of the second body on the
+first.
 Source: projection and gap (3.45), (3.46), penalty (3.73), forces (3.83), friction (3.74) to (3.76), adhesion (3.85) to
 (3.89), points 7.1.1 of ]] .. thesis .. [[. More in share/doc/reference/theory.md.
 Debonding often snaps: follow it with arc_length = true of model:run, or with prescribed displacements and damping.]],
     example = { [[
 contacts = { interface = { slave = die:face "south", master = slab:face "north", penalty = 100,
                            friction = { mu = 0.2, penalty = 100 } } }]], [[
+contacts = { edge = { among = { die:face "south", die:face "west", slab:face "north" },
+                      friction = { mu = 0.3 } } }]], [[
+contacts = { all = { among = "all" } }]], [[
 contacts = { glue = { slave = slab:face "south", master = sg.rigid.plane{ point = {0, 0}, normal = {0, 1} },
                       penalty = 1000, cohesive = { strength = 2, energy = 0.5,
                                                    where = function(X) return X[1] > 0.1 end } } }]] } },

@@ -55,10 +55,20 @@ local function record_contact(run, model, contact)
   for _, key in ipairs(contact_columns) do
     if rawget(resultant, key) then columns[key] = recorders.add_column(run, contact .. "." .. key) end
   end
+  local between, of_pairs = {}, rawget(resultant, "pairs") or {} -- of the bodies of a set of faces
+  for _, pair in ipairs(lists.sorted_names(of_pairs)) do
+    between[pair] = {}
+    for _, key in ipairs(lists.sorted_names(of_pairs[pair])) do
+      between[pair][key] = recorders.add_column(run, ("%s.%s.%s"):format(contact, pair, key))
+    end
+  end
   local counted = { unsettled = resultant.unsettled, flawed = rawget(resultant, "flawed") }
   run.recorders[#run.recorders + 1] = function(row)
     local now = model:contact_resultant(contact)
     for key, values in pairs(columns) do values[row] = now[key] end
+    for pair, forces in pairs(between) do
+      for key, values in pairs(forces) do values[row] = now.pairs[pair][key] end
+    end
     for key, before in pairs(counted) do
       if now[key] > before then
         local found = run[key][contact] or { count = 0 }

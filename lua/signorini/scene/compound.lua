@@ -106,6 +106,7 @@ end
 --- The links by the values of an argument of sg.model: joins, ties or contacts, each with faces on two sides.
 local function add_links(links, parts, values, first, second)
   local function owners(side, into)
+    if side == nil or side == "all" then return into end
     local number = core.owner(side, parts)
     if number then into[#into + 1] = number end
     if lists.length(side) then for _, one in ipairs(side) do owners(one, into) end end
@@ -126,6 +127,7 @@ local function check_listed(name, body, values)
   add_links(links, body.parts, values.joins, 1, 2)
   add_links(links, body.parts, values.ties, "slave", "master")
   add_links(links, body.parts, values.contacts, "slave", "master")
+  add_links(links, body.parts, values.contacts, "among", "among")
   check_connected(body.parts, links, ("sg.model: bodies.%s"):format(name),
     "add the missing pair of faces to patch.interfaces of sg.body, or make two bodies of them")
 end

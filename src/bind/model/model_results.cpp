@@ -4,6 +4,7 @@
 #include "model/results/face_values.hpp"
 #include "model/results/profile.hpp"
 #include "model/results/sample.hpp"
+#include "model/results/set_forces.hpp"
 #include "model/results/tie_results.hpp"
 #include "model/steps/linear_solution.hpp"
 #include "solve/factor_estimate.hpp"
@@ -87,7 +88,7 @@ template <int D> int contact_law(const model::Model<D>& model, const std::string
     set_fields(L, "method", "gpts", "hamaker", adhesion->hamaker, "r0", adhesion->distance);
     return 1;
   }
-  const bool half = named.other_pass >= 0;
+  const bool half = named.method.pass == contact::Pass::half;
   const auto& multipliers = named.method.multipliers;
   set_field(L, "method", half ? "half_passes" : multipliers ? "mortar" : "gpts");
   if (multipliers && !half) set_field(L, "multipliers", name_of(*multipliers));
@@ -116,6 +117,20 @@ template <int D> int contact_law(const model::Model<D>& model, const std::string
   return 1;
 }
 
+/// Fields of a set: `pairs`, the forces between its bodies by "<first>_<second>", and `imbalance` of half passes.
+template <int D> void set_pairs(const model::Model<D>& model, int contact, lua_State* L) {
+  const model::Scene<D>& scene = model.system.scene;
+  lua_newtable(L);
+  for (const model::PairForce<D>& pair : model::set_forces(model, contact)) {
+    lua_newtable(L);
+    set_force<D>(L, pair.force);
+    lua_setfield(L, -2, (scene.bodies[pair.first].name + "_" + scene.bodies[pair.second].name).c_str());
+  }
+  lua_setfield(L, -2, "pairs");
+  if (scene.contacts[contact].method.pass == contact::Pass::half)
+    set_field(L, "imbalance", model::set_imbalance(model, contact));
+}
+
 template <int D> int contact_resultant(const model::Model<D>& model, const std::string& name, lua_State* L) {
   const std::size_t contact = find(model.system.scene.contacts, name, "contact");
   const auto sum = contact::resultant(model.present.contacts[contact]);
@@ -127,7 +142,10 @@ template <int D> int contact_resultant(const model::Model<D>& model, const std::
   const bool is_half = named.other_pass >= 0;
   set_field(L, "per", area_name(named));
   if (is_half) set_field(L, "imbalance", model::imbalance(model, static_cast<int>(contact)));
-  set_force<D>(L, sum.force);
+  if (is_set(named))
+    set_pairs(model, static_cast<int>(contact), L);
+  else
+    set_force<D>(L, sum.force);
   if (may_rub(named.method.law)) set_field(L, "slip", contact::mean_slip(model.present.contacts[contact]));
   if (named.method.bond)
     set_field(L, "debonded",
@@ -161,6 +179,7 @@ template <int D> int profile(const model::Model<D>& model, const std::string& na
   const model::Profile all = model::profile<D>(model, find(model.system.scene.contacts, name, "contact"));
   push_fields(L, "x", all.x, "y", all.y, "X", all.reference_x, "Y", all.reference_y, "area", all.area, "pressure",
               all.pressure, "traction", all.traction, "gap", all.gap, "inside", all.inside, "state", all.state);
+  if (!all.face.empty()) set_field(L, "face", all.face);
   if (!all.damage.empty()) set_field(L, "damage", all.damage);
   if (!all.mix.empty()) set_field(L, "mix", all.mix);
   if (!all.mu.empty()) set_fields(L, "mu", all.mu, "slip", all.slip);

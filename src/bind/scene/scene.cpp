@@ -3,6 +3,7 @@
 #include "bind/lua/wording/wording.hpp"
 #include "bind/scene/scene_builder.hpp"
 #include "bind/scene/symbols.hpp"
+#include "model/scene/free_faces.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -190,15 +191,21 @@ template <int D> model::Faces read_faces(const SceneBuilder<D>& builder, const A
 
 /// An entry of `contacts` with this name in sg.model's argument.
 template <int D> model::Contact<D> read_contact(SceneBuilder<D>& builder, const Arguments& a, const std::string& name) {
-  model::Contact<D> contact{{}, read_faces(builder, a, "slave"), {}, {}, 0, {}};
-  if (has_type(a.state(), a.push("master"), Type<Rigid<D>>::name))
-    contact.master = model::ObstacleReference{builder.index_of(a.object<Rigid<D>>("master"), a.name("master"))};
-  else
-    contact.master = read_faces(builder, a, "master");
-  const auto* master = std::get_if<model::Faces>(&contact.master);
-  for (const model::FaceReference& face : contact.slave)
-    require(!master || !master->contains(face), a.name("master"), " is the same face as ", a.name("slave"),
-            "; self-contact is not available: use a face of the other body");
+  model::Contact<D> contact;
+  if (a.has("among")) {
+    contact.slave = a.is("among", LUA_TSTRING) ? free_faces(builder.scene) : read_faces(builder, a, "among");
+    contact.master = contact.slave;
+  } else {
+    contact.slave = read_faces(builder, a, "slave");
+    if (has_type(a.state(), a.push("master"), Type<Rigid<D>>::name))
+      contact.master = model::ObstacleReference{builder.index_of(a.object<Rigid<D>>("master"), a.name("master"))};
+    else
+      contact.master = read_faces(builder, a, "master");
+    const auto* master = std::get_if<model::Faces>(&contact.master);
+    for (const model::FaceReference& face : contact.slave)
+      require(!master || !master->contains(face), a.name("master"), " is the same face as ", a.name("slave"),
+              ": write among = … in place of both for faces in contact with each other");
+  }
   contact.method = read_method(a, D);
   contact.adaptive_points = a.is("points", LUA_TSTRING);
   require(!contact.adaptive_points || !of_rate(contact.method.law), a.name("points"),
@@ -310,19 +317,6 @@ template <int D> int push_model(const Arguments& a, lua_State* L) {
   };
   each("supports", add_boundary_condition);
   each("loads", add_boundary_condition);
-  each("contacts", [&](const Arguments& part, const std::string& name) -> std::string& {
-    const std::size_t first = scene.contacts.size();
-    scene.contacts.push_back(read_contact(builder, part, name));
-    if (scene.contacts[first].method.pass == contact::Pass::half) {
-      scene.contacts[first].name = name;
-      model::Contact<D> other = swapped(builder, part, scene.contacts[first]);
-      check_name(a, scene, other.name, text("the second pass '", other.name, "' of contacts.", name));
-      scene.contacts.push_back(std::move(other));
-      scene.contacts[first].other_pass = static_cast<int>(first + 1);
-      scene.contacts[first + 1].other_pass = static_cast<int>(first);
-    }
-    return scene.contacts[first].name;
-  });
   each("ties", [&](const Arguments& part, const std::string&) -> std::string& {
     return scene.ties.emplace_back(read_tie(builder, part)).name;
   });
@@ -332,6 +326,25 @@ template <int D> int push_model(const Arguments& a, lua_State* L) {
       scene.joins.push_back(read_join(builder, L, index, path));
       scene.joins.back().name = name;
     });
+  each("contacts", [&](const Arguments& part, const std::string& name) -> std::string& {
+    const std::size_t first = scene.contacts.size();
+    scene.contacts.push_back(read_contact(builder, part, name));
+    for (int obstacle = 0; part.is("among", LUA_TSTRING) && obstacle < std::ssize(scene.obstacles); ++obstacle) {
+      scene.contacts[first].name = name;
+      model::Contact<D> other = with_obstacle(scene, scene.contacts[first], obstacle);
+      check_name(a, scene, other.name, part.path());
+      scene.contacts.push_back(std::move(other));
+    }
+    if (scene.contacts[first].method.pass == contact::Pass::half && !is_set(scene.contacts[first])) {
+      scene.contacts[first].name = name;
+      model::Contact<D> other = swapped(builder, part, scene.contacts[first]);
+      check_name(a, scene, other.name, text("the second pass '", other.name, "' of contacts.", name));
+      scene.contacts.push_back(std::move(other));
+      scene.contacts[first].other_pass = static_cast<int>(first + 1);
+      scene.contacts[first + 1].other_pass = static_cast<int>(first);
+    }
+    return scene.contacts[first].name;
+  });
   if constexpr (D == 2)
     if (scene.kind != solid::Kind::plane_strain) set_kind(scene);
   const auto& made = push_object<Model<D>>(L, std::make_shared<model::Model<D>>(std::move(scene)));

@@ -192,8 +192,10 @@ bool act_twice(const Contact<D>& a, const Contact<D>& b, const contact::Formulat
     return false;
   const auto* master = a.other_pass < 0 ? std::get_if<Faces>(&a.master) : nullptr;
   if (master && *master == b.slave && b.master == decltype(b.master)(a.slave)) return true; // slave and master swapped
-  if (!(a.slave == b.slave) || !(a.master == b.master)) return false;
+  if (const auto* other = std::get_if<Faces>(&b.master); master && other && (is_set(a) || is_set(b)))
+    return (a.slave.meets(b.slave) && master->meets(*other)) || (a.slave.meets(*other) && master->meets(b.slave));
   const bool points = a.points == b.points;
+  if (!(a.master == b.master) || !(points ? a.slave.meets(b.slave) : a.slave == b.slave)) return false;
   const auto here = places(first, points), there = places(second, points);
   return std::any_of(here.begin(), here.end(), [&](const auto& place) { return there.contains(place); });
 }

@@ -85,8 +85,13 @@ template <int D> MatrixX contact_point_values(const Model<D>& model, FaceField f
         all.col(e) = (along * all.col(e).head(sparse * sparse).reshaped(sparse, sparse) * along.transpose()).reshaped();
     }
   }
+  const contact::Surface<D>& slave = formulation.slave();
+  if (slave.sheets() > 1) {
+    const int first = slave.first_element(static_cast<int>(face));
+    return all.middleCols(first, slave.first_element(static_cast<int>(face) + 1) - first);
+  }
   if (named.slave.size() == 1) return all;
-  const contact::FacePlace& place = formulation.slave().places()[face];
+  const contact::FacePlace& place = slave.places()[face];
   MatrixX result(all.rows(), place.elements[0] * place.elements[1]);
   for (int f = 0; f < result.cols(); ++f)
     for (int k = 0; k < result.rows(); ++k) result(k, f) = all(place.point(k, points), place.element(f));
@@ -170,6 +175,7 @@ template <int D> double sample_face(const Model<D>& model, FaceField field, int 
         stride *= space.elements(d);
       }
       sum += FaceValues<D>(model, field, static_cast<int>(c), k).at_place(on_face, fraction);
+      break; // at a corner the first of the contact's faces
     }
   }
   if (!found) throw_without(model, field, body);

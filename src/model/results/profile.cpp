@@ -26,7 +26,12 @@ template <int D> Profile profile(const Model<D>& model, int contact) {
     if (!acts(formulation.points(), history, i)) continue;
     const auto& point = history.results[i];
     append<D>(formulation.points().reference[i], {&result.reference_x, &result.reference_y, &result.reference_z});
-    result.gap.push_back(gaps[i]);
+    result.gap.push_back(std::isinf(gaps[i]) ? std::nan("") : gaps[i]); // without a foot in a set of faces
+    if (is_set(model.system.scene.contacts[contact])) {
+      const FaceReference& face =
+          model.system.scene.contacts[contact].slave[formulation.slave().sheet(formulation.points().list[i].element)];
+      result.face.push_back(model.system.scene.bodies[face.body].name + "." + nurbs::name_of(face.side));
+    }
     result.inside.push_back(inside[i]);
     if (const auto* bonds = formulation.bonds()) {
       result.damage.push_back(bonds->damage(history, i));

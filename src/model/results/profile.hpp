@@ -19,6 +19,7 @@ struct Profile {
   std::vector<double> worn;     ///< depth of wear; empty without wear
   std::vector<double> traction_x, traction_y, traction_z; ///< t_T; the traction on the slave is t_N n̄ − t_T
   std::vector<std::string> state;                         ///< contact::name_of()
+  std::vector<std::string> face;                          ///< of a set of faces "<body>.<face>", otherwise empty
 };
 template <int D> Profile profile(const Model<D>& model, int contact);
 

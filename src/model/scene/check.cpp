@@ -1,15 +1,13 @@
 #include "model/scene/check.hpp"
 
-#include "base/dense.hpp"
 #include "base/error.hpp"
 #include "model/scene/contact_faces.hpp"
 #include "model/scene/default_penalty.hpp"
+#include "model/scene/free_faces.hpp"
 #include "model/scene/joins.hpp"
 #include "model/scene/supports.hpp"
-#include "nurbs/constants.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace signorini::model {
@@ -54,19 +52,7 @@ template <int D> void check_join(const Scene<D>& scene, const Join& join) {
     expect_no_action(support.spring_faces, Message("model.action.springs", {{"name", support.name}}));
 }
 
-/// True for a face that collapses to a point, in 3D also to a line: the scatter of its control points has too few
-/// directions.
-template <int D> bool is_collapsed(const Scene<D>& scene, const FaceReference& face) {
-  const nurbs::Discretization& space = scene.bodies[face.body].body->space();
-  const MatrixX all = space.points();
-  const MatrixX points = all(Eigen::all, space.face_functions(face.side));
-  const MatrixX arms = points.colwise() - points.rowwise().mean().eval();
-  const double size = (all.rowwise().maxCoeff() - all.rowwise().minCoeff()).norm();
-  const VectorX squares = dense::symmetric_eigenvalues(arms * arms.transpose());
-  return squares(1) <= std::pow(nurbs::same_place * size, 2); // of the D − 1 largest ones the least
-}
-
-/// The faces of one side of a contact differ, do not collapse, and form one surface.
+/// The faces of a list differ and do not collapse.
 template <int D> void check_list(const Scene<D>& scene, const Faces& faces, const Message& list) {
   for (auto face = faces.begin(); face != faces.end(); ++face)
     require(std::find(faces.begin(), face, *face) == face, "model.contact.face_twice",
@@ -74,15 +60,19 @@ template <int D> void check_list(const Scene<D>& scene, const Faces& faces, cons
   for (const FaceReference& face : faces)
     require(!is_collapsed(scene, face), "model.contact.collapsed",
             {{"list", list}, {"face", face_message(scene, face)}});
-  if (faces.size() > 1) surface_of(scene, faces, list);
 }
 
 template <int D> void check_contact(const Scene<D>& scene, const Contact<D>& contact) {
-  check_list(scene, contact.slave, Message("model.contact.slave", {{"name", contact.name}}));
+  const auto check = [&](const Faces& faces, const Message& list) {
+    check_list(scene, faces, list);
+    if (faces.size() > 1 && !is_loose(contact)) surface_of(scene, faces, list);
+  };
+  if (is_set(contact))
+    return check_list(scene, contact.slave, Message("model.contact.among", {{"name", contact.name}}));
   const auto* master = std::get_if<Faces>(&contact.master);
-  if (!master) return;
-  check_list(scene, *master, Message("model.contact.master", {{"name", contact.name}}));
-  require(!master->meets(contact.slave), "model.scene.own_face", {{"contact", contact.name}});
+  require(!master || !master->meets(contact.slave), "model.scene.own_face", {{"contact", contact.name}});
+  check(contact.slave, Message("model.contact.slave", {{"name", contact.name}}));
+  if (master) check(*master, Message("model.contact.master", {{"name", contact.name}}));
 }
 
 /// True if a tie connects a face of one list with a face of the other one.

@@ -1,5 +1,6 @@
 #include "model/scene/contact_faces.hpp"
 
+#include "base/error.hpp"
 #include "nurbs/coincident.hpp"
 
 namespace signorini::model {
@@ -64,10 +65,42 @@ template <int D> contact::Surface<D> surface_of(const Scene<D>& scene, const Fac
   return contact::Surface<D>(contact::arrange(parts, list));
 }
 
+template <int D> contact::Surface<D> set_of(const Scene<D>& scene, const Faces& faces) {
+  const Groups groups = coincident_points(scene);
+  std::vector<contact::Surface<D>> sheets;
+  for (const FaceReference& face : faces)
+    sheets.emplace_back(scene.bodies[face.body].body->space(), face.side, first_control_point(scene, face.body),
+                        shared_numbers(scene, face, groups));
+  return contact::Surface<D>(sheets);
+}
+
+template <int D> contact::Surface<D> slave_of(const Scene<D>& scene, const Contact<D>& contact) {
+  if (is_set(contact)) return set_of(scene, contact.slave);
+  try {
+    return surface_of(scene, contact.slave);
+  } catch (const Error&) {
+    if (!is_loose(contact)) throw;
+    return set_of(scene, contact.slave);
+  }
+}
+
+template <int D> std::vector<int> joined_bodies(const Scene<D>& scene, const Faces& faces) {
+  Groups groups(std::ssize(scene.bodies));
+  for (const Join& join : scene.joins) groups.unite(join.first.body, join.second.body);
+  for (const Tie& tie : scene.ties)
+    for (const FaceReference& face : faces_of(tie)) groups.unite(tie.slave.front().body, face.body);
+  std::vector<int> bodies;
+  for (const FaceReference& face : faces) bodies.push_back(groups.leader(face.body));
+  return bodies;
+}
+
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \
   template int first_control_point(const Scene<D>&, int);                                                              \
   template Groups coincident_points(const Scene<D>&);                                                                  \
-  template contact::Surface<D> surface_of(const Scene<D>&, const Faces&, const Message&);
+  template contact::Surface<D> surface_of(const Scene<D>&, const Faces&, const Message&);                              \
+  template contact::Surface<D> set_of(const Scene<D>&, const Faces&);                                                  \
+  template contact::Surface<D> slave_of(const Scene<D>&, const Contact<D>&);                                           \
+  template std::vector<int> joined_bodies(const Scene<D>&, const Faces&);
 SIGNORINI_INSTANTIATE(2)
 SIGNORINI_INSTANTIATE(3)
 #undef SIGNORINI_INSTANTIATE

@@ -16,5 +16,11 @@ template <int D> Groups coincident_points(const Scene<D>& scene);
 /// The surface of one face or of several with common borders, with control points counted through all bodies. Throws
 /// Error, with `list` as the name of the list, if the faces do not form one surface.
 template <int D> contact::Surface<D> surface_of(const Scene<D>& scene, const Faces& faces, const Message& list = {});
+/// A set of faces as the sheets of one surface.
+template <int D> contact::Surface<D> set_of(const Scene<D>& scene, const Faces& faces);
+/// The slave face of a contact; of a set, and of a loose list of faces that are not one surface, a set.
+template <int D> contact::Surface<D> slave_of(const Scene<D>& scene, const Contact<D>& contact);
+/// By face, a number that bodies have in common which joins and ties between faces that match make one.
+template <int D> std::vector<int> joined_bodies(const Scene<D>& scene, const Faces& faces);
 
 } // namespace signorini::model

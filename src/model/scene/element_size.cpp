@@ -10,7 +10,7 @@ namespace signorini::model {
 
 template <int D>
 double element_size(const Scene<D>& scene, const Faces& faces, int points, const contact::Region<D>& where) {
-  const contact::Surface<D> surface = surface_of(scene, faces);
+  const contact::Surface<D> surface = faces.size() == 1 ? surface_of(scene, faces) : set_of(scene, faces);
   constexpr bool revolved = false; // sizes in the meridian plane
   const auto list = contact::ContactPoints<D>(surface, points, revolved, where).list;
   double elements = 0, inverse = 0;

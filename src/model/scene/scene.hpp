@@ -117,7 +117,7 @@ struct Load {
 template <int D> struct Contact {
   std::string name;
   Faces slave;
-  std::variant<Faces, ObstacleReference> master;
+  std::variant<Faces, ObstacleReference> master; ///< equal to the slave: a set of faces in contact with each other
   contact::Method method;
   int points; ///< Gauss points per slave element and direction
   contact::Region<D> where = {};
@@ -166,6 +166,16 @@ template <int D> struct Scene {
 struct ScenePart {
   std::string name, bytes;
 };
+
+template <int D> bool is_set(const Contact<D>& contact) {
+  const auto* master = std::get_if<Faces>(&contact.master);
+  return master && *master == contact.slave;
+}
+
+/// True for contact at points with an obstacle, whose slave may be any list of faces.
+template <int D> bool is_loose(const Contact<D>& contact) {
+  return std::holds_alternative<ObstacleReference>(contact.master) && !contact.method.multipliers && !contact.own;
+}
 
 /// True if a face of a body acts in a contact, as slave or master.
 template <int D> bool acts_on(const Contact<D>& contact, int body) {

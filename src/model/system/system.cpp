@@ -5,6 +5,7 @@
 #include "model/scene/contact_faces.hpp"
 #include "model/scene/default_penalty.hpp"
 #include "model/scene/region.hpp"
+#include "model/scene/thickness.hpp"
 #include "model/scene/ties.hpp"
 #include "model/scene/turning.hpp"
 #include "model/system/path_norm.hpp"
@@ -39,7 +40,12 @@ template <int D> double middle_size(const contact::Surface<D>& face) {
 }
 
 template <int D> contact::Master<D> master_of(const Scene<D>& scene, const Contact<D>& contact) {
-  const double opposite = middle_size(surface_of(scene, contact.slave));
+  const double opposite = middle_size(slave_of(scene, contact));
+  if (is_set(contact)) {
+    std::vector<double> thick;
+    for (const FaceReference& face : contact.slave) thick.push_back(thickness(scene, face));
+    return {slave_of(scene, contact), opposite, joined_bodies(scene, contact.slave), std::move(thick)};
+  }
   if (const auto* faces = std::get_if<Faces>(&contact.master)) return {surface_of(scene, *faces), opposite};
   const int obstacle = std::get<ObstacleReference>(contact.master).obstacle;
   const auto turn = turn_of(scene, obstacle);
@@ -48,7 +54,7 @@ template <int D> contact::Master<D> master_of(const Scene<D>& scene, const Conta
 
 /// An Error of the formulation names the contact.
 template <int D> auto make_contact(const Scene<D>& scene, const Contact<D>& contact) {
-  contact::ContactSetting<D> setting{surface_of(scene, contact.slave),
+  contact::ContactSetting<D> setting{slave_of(scene, contact),
                                      master_of(scene, contact),
                                      contact.points,
                                      scene.kind == solid::Kind::axisymmetric,

@@ -57,7 +57,7 @@ template <int D> bool ends_master(const Model<D>& model, int contact, int elemen
   const contact::Formulation<D>& formulation = *model.system.contacts[contact];
   const contact::History<D>& history = model.accepted.contacts[contact];
   const contact::Surface<D>* master = formulation.master().surface();
-  if (!master || !(master->extension().lengths[direction][at_end] > 0)) return false;
+  if (!master || !(master->sheet_data().extension.lengths[direction][at_end] > 0)) return false;
   if (elements_to_end(*master, element, direction, at_end) > 2) return false; // one of them is the extension
   if (!formulation.master().rigid() && is_held(model, *master, direction, at_end)) return false;
   for (std::size_t i = 0; i < history.results.size(); ++i)
@@ -72,6 +72,7 @@ template <int D> bool ends_master(const Model<D>& model, int contact, int elemen
 template <int D> bool is_peak_at_edge(const Model<D>& model, int contact) {
   const contact::Formulation<D>& formulation = *model.system.contacts[contact];
   const contact::History<D>& history = model.accepted.contacts[contact];
+  if (formulation.master().set()) return false; // its corners are in contact as well
   const auto pressure = [](const auto& point) { return contact::touches(point.state) ? point.pressure : 0; };
   const auto peak = std::ranges::max_element(history.results, {}, pressure);
   if (peak == history.results.end() || pressure(*peak) <= 0) return false;

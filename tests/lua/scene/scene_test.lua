@@ -85,7 +85,7 @@ local b = sg.body{ patch = r:translate{0, 1}, elements = {4, 2}, order = "N2", c
     "did you mean 'north'?", "sg.body: contact must be", "'north'", "got the string 'top'" },
   { [[sg.model{ bodies = { a = a, b = b },
       contacts = { i = { slave = a:face "north", master = a:face "north", penalty = 100 } } }]],
-    "sg.model: contacts.i.master is the same face as contacts.i.slave", "use a face of the other body" },
+    "sg.model: contacts.i.master is the same face as contacts.i.slave", "write among" },
   { [[sg.model{ bodies = { a = a, b = b },
       supports = { bed = { on = a:face "south", fix = "xy" }, push = { on = a:face "south", drive = "y" } } }]],
     "sg.model: supports.push drives y of a control point that supports.bed fixes already",

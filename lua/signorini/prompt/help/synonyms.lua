@@ -55,7 +55,7 @@ within a body are not available: make it of two bodies with a bonded contact.]],
   { "wear, archard, abrasion", [[The key `wear` of a contact is Archard's law; `offset`, which stages change, sets a
 depth that is known.]], "contact", "stage" },
   { "self contact, general contact, contact pair",
-    "Self-contact is not available. A contact is between the faces of two bodies, or with an obstacle.", "contact" },
+    'The key `among` of a contact: faces that touch themselves and each other, or "all".', "contact" },
   { "rigid body, rigid wall, analytical rigid surface, indenter, tool", [[Rigid bodies are obstacles, the master of a
 contact.]], "obstacle", "sg.rigid.plane", "sg.rigid.cylinder", "sg.rigid.sphere", "sg.rigid.surface" },
   -- Bodies

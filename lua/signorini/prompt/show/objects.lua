@@ -93,6 +93,22 @@ local function is_rounding(model, name, largest, penalty)
   return largest <= 1e-12 * penalty * size
 end
 
+--- "force {0, 1}", of a set of faces "force on a by b {0, 1}" for each pair of its bodies.
+local function forces_text(now)
+  local function components(of)
+    return table.concat(map(axes, function(axis)
+      local part = rawget(of, "f" .. axis)
+      return part and ("%.4g"):format(part)
+    end), ", ")
+  end
+  if not rawget(now, "pairs") then return ("force {%s}"):format(components(now)) end
+  local names = lists.sorted_names(now.pairs)
+  if #names == 0 then return "forces within the body" end
+  return table.concat(map(names, function(pair)
+    return ("force %s {%s}"):format(pair, components(now.pairs[pair]))
+  end), ", ")
+end
+
 local function contact_text(model, name)
   local now, constants = model:contact_resultant(name), model:contact_law(name)
   local law = law_text(constants)
@@ -102,13 +118,9 @@ local function contact_text(model, name)
   if is_rounding(model, name, now.max_pressure, constants.penalty) then
     return ("  contact %s: touches without a force\n    %s"):format(name, law)
   end
-  local force = map(axes, function(axis)
-    local part = rawget(now, "f" .. axis)
-    return part and ("%.4g"):format(part)
-  end)
-  local text = ("  contact %s: %s, %d slipping; force {%s}, largest pressure %.4g; tractions per %s area")
+  local text = ("  contact %s: %s, %d slipping; %s, largest pressure %.4g; tractions per %s area")
     :format(name, now.active == 1 and "1 active point" or now.active .. " active points", now.slipping,
-      table.concat(force, ", "), now.max_pressure, now.per)
+      forces_text(now), now.max_pressure, now.per)
   if rawget(now, "debonded") then text = ("%s; debonded %.4g"):format(text, now.debonded) end
   if rawget(now, "imbalance") then text = ("%s; half pass, imbalance %.2g"):format(text, now.imbalance) end
   return ("%s\n    %s"):format(text, law)
