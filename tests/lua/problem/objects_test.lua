@@ -123,7 +123,26 @@ check.case("worn pin: Archard's scars of a cylinder and a sphere", function()
   end
 end)
 
+check.case("bumper: folds in contact carry a load that rises, and none before they touch", function()
+  local bumper = results("bumper", "elements=24", "steps=12", "most=0.4")
+  for i = 1, 6 do check.within_share("before the contact", bumper.without[i], bumper.force[i], 1e-6) end
+  assert(bumper.force[12] > 1.8 * bumper.without[12])
+  check.within("balance", bumper.balance, 1, 0.01)
+  check.within("action and reaction", bumper.imbalance, 0, 1e-8)
+end)
+
+check.case("C-shape: beam theory, then ends that touch and arms that lie on each other", function()
+  local shape = results("cshape", "elements=12", "steps=40")
+  check.within_share("beam theory", shape.force[1], shape.beam, 0.1)
+  check.within("ends before they touch", shape.ends[8], 0, 1e-9)
+  assert(shape.ends[20] > 0.03 and shape.ends[40] > 0.5 and shape.force[40] > 2 * shape.force[35])
+  check.within("balance", shape.balance, 1, 0.04)
+  check.within("action and reaction", shape.imbalance, 0, 1e-8)
+end)
+
 check.case("wrong arguments are errors", function()
+  check.refused("objects/bumper", { ["most=0.6"] = "most", ["elements=8"] = "elements", ["mu=0"] = "mu" })
+  check.refused("objects/cshape", { ["turn=0"] = "turn", ["travel=9"] = "travel", ["steps=4"] = "steps" })
   check.refused("objects/brake_pad", { ["over=0"] = "over", ["speeds=-1"] = "speeds", ["steps=1"] = "steps" })
   check.refused("objects/worn_pin", { ["scar=2"] = "scar", ["solid=2"] = "solid", ["force=0"] = "force" })
   check.refused("objects/mixed_mode_bending", { ["ratios=2"] = "ratios", ["law=linear"] = "law",
