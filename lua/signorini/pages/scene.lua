@@ -39,7 +39,7 @@ and the slave's; there the traction decreases to zero]], optional = true },
   { "among", t.worded(t.either(t.flat(face), t.choice { "all" }), 'a face, a list of faces, or "all"'), [[in place of
 slave and master: faces of one body or several, any of which may touch itself and any other. Every point of every face
 is a contact point, so that no side is preferred; method is "gpts" or "half_passes". Borders that faces of the list have
-in common are no edges, and corners between them are in contact as well. A piece that turns by less than 60 degrees has
+in common are not edges; corners between them are in contact as well. A piece that turns by less than 60 degrees has
 no contact with itself. "all": all faces of all bodies that are neither joined nor tied, and every obstacle that a
 support holds, with which contacts are named <name>.<support>]], optional = true },
   { "penalty", t.positive, [[normal penalty: p = -penalty g where the gap g is negative. By default 30 E / h, E of the

@@ -1,6 +1,6 @@
 #pragma once
 // Feet of a point of a set of faces: its distance from the set has the minimum zero, at the point itself, and others
-// that are no contact, such as the back of a wall [theory 8.4].
+// that do not count, such as the back of a wall [theory 8.4].
 
 #include "contact/face/search.hpp"
 

@@ -42,9 +42,10 @@ template <int D> double cleared_in_set(const Formulation<D>& contact, std::size_
   const PointResult<D>& result = trial.present.results[i];
   const bool found = projection.foot != Foot::none;
   if (result.beyond || (found && !result.settled)) return 0;
+  const double touches = touching(contact, i, trial);
+  if (found && !(projection.gap > touches)) return 0;
   const Lookout<D> from = lookout(contact, i, trial);
-  const double nearest = found ? projection.gap : from.farthest, touches = touching(contact, i, trial);
-  if (!(nearest > touches)) return 0;
+  const double nearest = found ? projection.gap : from.farthest;
   // Parts of its own body that the point may see later count as well.
   const double in_sight = contact.master().distance_in_sight(result.position, from.sight, nearest) - touches;
   return in_sight > 0 ? contact.faces().travel + in_sight : 0;

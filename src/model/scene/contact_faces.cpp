@@ -84,23 +84,12 @@ template <int D> contact::Surface<D> slave_of(const Scene<D>& scene, const Conta
   }
 }
 
-template <int D> std::vector<int> joined_bodies(const Scene<D>& scene, const Faces& faces) {
-  Groups groups(std::ssize(scene.bodies));
-  for (const Join& join : scene.joins) groups.unite(join.first.body, join.second.body);
-  for (const Tie& tie : scene.ties)
-    for (const FaceReference& face : faces_of(tie)) groups.unite(tie.slave.front().body, face.body);
-  std::vector<int> bodies;
-  for (const FaceReference& face : faces) bodies.push_back(groups.leader(face.body));
-  return bodies;
-}
-
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \
   template int first_control_point(const Scene<D>&, int);                                                              \
   template Groups coincident_points(const Scene<D>&);                                                                  \
   template contact::Surface<D> surface_of(const Scene<D>&, const Faces&, const Message&);                              \
   template contact::Surface<D> set_of(const Scene<D>&, const Faces&);                                                  \
-  template contact::Surface<D> slave_of(const Scene<D>&, const Contact<D>&);                                           \
-  template std::vector<int> joined_bodies(const Scene<D>&, const Faces&);
+  template contact::Surface<D> slave_of(const Scene<D>&, const Contact<D>&);
 SIGNORINI_INSTANTIATE(2)
 SIGNORINI_INSTANTIATE(3)
 #undef SIGNORINI_INSTANTIATE

@@ -20,7 +20,5 @@ template <int D> contact::Surface<D> surface_of(const Scene<D>& scene, const Fac
 template <int D> contact::Surface<D> set_of(const Scene<D>& scene, const Faces& faces);
 /// The slave face of a contact; of a set, and of a loose list of faces that are not one surface, a set.
 template <int D> contact::Surface<D> slave_of(const Scene<D>& scene, const Contact<D>& contact);
-/// By face, a number that bodies have in common which joins and ties between faces that match make one.
-template <int D> std::vector<int> joined_bodies(const Scene<D>& scene, const Faces& faces);
 
 } // namespace signorini::model

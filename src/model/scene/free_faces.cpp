@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <string>
 
 namespace signorini::model {
@@ -17,17 +16,6 @@ namespace {
 template <int D> MatrixX face_points(const Scene<D>& scene, const FaceReference& face) {
   const nurbs::Discretization& space = scene.bodies[face.body].body->space();
   return space.points()(Eigen::all, space.face_functions(face.side));
-}
-
-/// True if all control points of a face coincide with others that are not on it, as on both sides of a seam.
-bool is_seam(const nurbs::Discretization& space, nurbs::Side side) {
-  const std::vector<int> functions = space.face_functions(side);
-  const std::set<int> own(functions.begin(), functions.end());
-  std::set<int> shared;
-  for (const std::vector<int>& group : nurbs::coincident_functions(space))
-    if (std::ranges::any_of(group, [&](int function) { return !own.contains(function); }))
-      shared.insert(group.begin(), group.end());
-  return std::ranges::all_of(functions, [&](int function) { return shared.contains(function); });
 }
 
 } // namespace
@@ -49,14 +37,14 @@ template <int D> Faces free_faces(const Scene<D>& scene) {
   for (int body = 0; body < std::ssize(scene.bodies); ++body) {
     const nurbs::Discretization& space = scene.bodies[body].body->space();
     const double size = space.points().cwiseAbs().maxCoeff();
-    for (int direction = 0; direction < D; ++direction)
-      for (const bool at_end : {false, true}) {
-        const FaceReference face{body, {direction, at_end}};
-        const bool on_axis = scene.kind == solid::Kind::axisymmetric &&
-                             face_points(scene, face).row(0).cwiseAbs().maxCoeff() <= nurbs::same_place * size;
-        if (!inside.contains(face) && !on_axis && !is_collapsed(scene, face) && !is_seam(space, face.side))
-          faces.push_back(face);
-      }
+    const std::vector<int> closed = nurbs::closed_directions(space);
+    for (const nurbs::Side side : nurbs::sides(D)) {
+      const FaceReference face{body, side};
+      const bool on_axis = scene.kind == solid::Kind::axisymmetric &&
+                           face_points(scene, face).row(0).cwiseAbs().maxCoeff() <= nurbs::same_place * size;
+      const bool seam = std::ranges::find(closed, side.direction) != closed.end();
+      if (!inside.contains(face) && !on_axis && !seam && !is_collapsed(scene, face)) faces.push_back(face);
+    }
   }
   return faces;
 }

@@ -4,6 +4,7 @@
 #include "model/scene/check.hpp"
 #include "model/scene/contact_faces.hpp"
 #include "model/scene/default_penalty.hpp"
+#include "model/scene/joins.hpp"
 #include "model/scene/region.hpp"
 #include "model/scene/thickness.hpp"
 #include "model/scene/ties.hpp"
@@ -39,12 +40,18 @@ template <int D> double middle_size(const contact::Surface<D>& face) {
   return *middle;
 }
 
-template <int D> contact::Master<D> master_of(const Scene<D>& scene, const Contact<D>& contact) {
-  const double opposite = middle_size(slave_of(scene, contact));
+template <int D>
+contact::Master<D> master_of(const Scene<D>& scene, const Contact<D>& contact, const contact::Surface<D>& slave) {
+  const double opposite = middle_size(slave);
   if (is_set(contact)) {
+    const Groups connected = connected_bodies(scene, true);
+    std::vector<int> bodies;
     std::vector<double> thick;
-    for (const FaceReference& face : contact.slave) thick.push_back(thickness(scene, face));
-    return {slave_of(scene, contact), opposite, joined_bodies(scene, contact.slave), std::move(thick)};
+    for (const FaceReference& face : contact.slave) {
+      bodies.push_back(connected.leader(face.body));
+      thick.push_back(thickness(scene, face));
+    }
+    return {slave, opposite, std::move(bodies), std::move(thick)};
   }
   if (const auto* faces = std::get_if<Faces>(&contact.master)) return {surface_of(scene, *faces), opposite};
   const int obstacle = std::get<ObstacleReference>(contact.master).obstacle;
@@ -54,14 +61,11 @@ template <int D> contact::Master<D> master_of(const Scene<D>& scene, const Conta
 
 /// An Error of the formulation names the contact.
 template <int D> auto make_contact(const Scene<D>& scene, const Contact<D>& contact) {
-  contact::ContactSetting<D> setting{slave_of(scene, contact),
-                                     master_of(scene, contact),
-                                     contact.points,
-                                     scene.kind == solid::Kind::axisymmetric,
-                                     contact.where,
-                                     contact.start,
-                                     contact.bonded,
-                                     contact.adaptive_points};
+  const contact::Surface<D> slave = slave_of(scene, contact);
+  contact::ContactSetting<D> setting{slave,          master_of(scene, contact, slave),
+                                     contact.points, scene.kind == solid::Kind::axisymmetric,
+                                     contact.where,  contact.start,
+                                     contact.bonded, contact.adaptive_points};
   try {
     return contact.own ? contact.own(std::move(setting))
                        : contact::make_formulation<D>(contact.method, std::move(setting));
