@@ -67,6 +67,23 @@ explicit: that of the steps before; unstable, with a warning, where rate × slip
     default = "implicit" },
 }
 
+local part = t.either(t.object "face", t.object "body", t.object "compound", t.object "obstacle")
+
+--- Two parts of a set.
+rows.pair = t.list(t.worded(t.flat(part), "a face, a body, an obstacle, or a list of these"), 2)
+function rows.pair.cure() return "write { A, B }, each a face, a body, an obstacle, or a list of these" end
+
+--- What a pair of a set may have of its own.
+rows.own_law = {
+  { "between", rows.pair, "the two parts { A, B } of the set" },
+  { "friction", t.named {
+    rows.coefficient, rows.along,
+    { "penalty", t.positive, "tangential penalty", unit = "pressure per length", otherwise = "that of the contact" },
+  }, "Coulomb friction", otherwise = "that of the set" },
+  { "penalty", t.positive, "normal penalty", unit = "pressure per length", otherwise = "that of the set" },
+  { "wear", t.named(rows.wear), "wear of the points", otherwise = "that of the set" },
+}
+
 --- The constants of a contact that a load path changes.
 rows.change = {
   { "active", t.flag, [[whether the contact acts. One that does not has no pressure or friction, and of its history
@@ -181,6 +198,9 @@ function rows.conflict_of_faces(values)
           key)
       end
     end
+    for _, key in ipairs { "except", "pairs" } do
+      if values[key] then return ("it has %s without among, whose pairs it names: remove it"):format(key) end
+    end
     return nil
   end
   for _, key in ipairs { "slave", "master" } do
@@ -193,6 +213,15 @@ function rows.conflict_of_faces(values)
   end
   if values.method == "mortar" then return 'it has both among and method = "mortar", but ' .. points end
   if values.enforcement ~= "penalty" then return 'it has both among and enforcement = "multipliers", but ' .. points end
+  for name, pair in pairs(values.pairs or {}) do
+    for _, key in ipairs { "penalty", "friction", "wear" } do
+      for _, other in ipairs { "adhesion", key == "penalty" and "pressure" or nil } do
+        if pair[key] and values[other] then
+          return ("pairs.%s.%s has no place beside the %s of the set: remove one of the two"):format(name, key, other)
+        end
+      end
+    end
+  end
   if values.overlap ~= "error" then
     return 'it has both among and overlap = "interference", which needs to know the two faces: give slave and master'
   end

@@ -42,6 +42,11 @@ is a contact point, so that no side is preferred; method is "gpts" or "half_pass
 in common are not edges; corners between them are in contact as well. A piece that turns by less than 60 degrees has
 no contact with itself. "all": all faces of all bodies that are neither joined nor tied, and every obstacle that a
 support holds, with which contacts are named <name>.<support>]], optional = true },
+  { "except", t.list(rows.pair), [[of `among`, pairs { A, B } that do not touch each other: each a face, a body for all
+its faces, an obstacle, or a list of these. { A, A }: A does not touch itself]], optional = true },
+  { "pairs", t.map(t.named(rows.own_law)), [[of `among`, pairs with constants of their own: { <pair> = { between = { A,
+B }, friction, penalty, wear } }, A and B as in `except`. What it does not give is that of the set; a penalty by default
+is that of its faces. Each is a contact <name>.<pair> in stages and results]], optional = true },
   { "penalty", t.positive, [[normal penalty: p = -penalty g where the gap g is negative. By default 30 E / h, E of the
 softer body, h the (harmonic) mean size of the slave's elements in the contact; print(model) shows it. In Hertz's
 contacts the force is then right to 1 or 2 %, and at Gauss points the peak pressure to 10 % where at least 7 control

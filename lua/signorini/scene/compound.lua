@@ -229,17 +229,31 @@ end
 
 -- ── Models ───────────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- The loads with the parts of bodies in place of these. Other values are left to the check of sg.model.
-local function loads_on_parts(loads)
-  if type(loads) ~= "table" then return loads end
-  local function parts(on)
-    if compound.is(on) then return on.parts end
-    return lists.length(on) and lists.map(on, parts) or on
-  end
+--- A value with the parts of bodies in place of these.
+local function in_parts(value)
+  if compound.is(value) then return value.parts end
+  return lists.length(value) and lists.map(value, in_parts) or value
+end
+
+--- A table of tables with values of these keys in parts. Other values are left to the check of sg.model.
+local function expand(tables, ...)
+  if type(tables) ~= "table" then return tables end
   local expanded = {}
-  for name, load in pairs(loads) do
-    expanded[name] = type(load) == "table" and not getmetatable(load) and lists.merged(load, { on = parts(load.on) })
-      or load
+  for name, entry in pairs(tables) do
+    local plain, own = type(entry) == "table" and not getmetatable(entry), {}
+    for _, key in ipairs { ... } do own[key] = plain and in_parts(entry[key]) or nil end
+    expanded[name] = plain and lists.merged(entry, own) or entry
+  end
+  return expanded
+end
+
+--- Contacts with the pairs of sets in parts.
+local function expanded_contacts(contacts)
+  local expanded = expand(contacts, "except")
+  for name, contact in pairs(type(expanded) == "table" and expanded or {}) do
+    if type(contact) == "table" and not getmetatable(contact) and contact.pairs then
+      expanded[name] = lists.merged(contact, { pairs = expand(contact.pairs, "between") })
+    end
   end
   return expanded
 end
@@ -270,8 +284,9 @@ function compound.expanded(values)
         { body.parts[i]:face(face), body.parts[j]:face(other) }, "joins")
     end
   end
-  return lists.merged(values, { bodies = bodies, joins = joins, loads = loads_on_parts(values.loads),
-                                supports = loads_on_parts(values.supports) })
+  return lists.merged(values, { bodies = bodies, joins = joins, loads = expand(values.loads, "on"),
+                                supports = expand(values.supports, "on"),
+                                contacts = expanded_contacts(values.contacts) })
 end
 
 function compound.is(value) return getmetatable(value) == Compound end

@@ -75,6 +75,7 @@ public:
   std::string name(const char* key) const;
   const std::string& path() const { return path_; }
   lua_State* state() const { return L_; }
+  int index() const { return index_; }
 
   /// Throws for errors that the function's table cannot express: "sg.f: E must be <expected>, got <value>: <cure>".
   [[noreturn]] void refuse(const char* key, const std::string& expected, const std::string& cure = "") const;

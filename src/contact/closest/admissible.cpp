@@ -2,6 +2,7 @@
 
 #include "contact/constants.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace signorini::contact {
@@ -17,14 +18,16 @@ bool admissible(const Lookout<D>& from, const FaceGeometry<D>& foot, const Vec<D
   const bool faces = from.sight.normal.dot(normal) <= least_facing_cosine;
   if (!(faces || kept)) return false;
   if (faces && gap >= 0) return true;
-  // Across a void, N_s·N̄ < 0 and (X_s − X̄)·N̄ ≥ 0, or g ≥ −¼ |X_s − X̄|
+  // Across a void, N_s·N̄ < 0 and (X_s − X̄)·N̄ ≥ 0, or g ≥ −¼ (|X_s − X̄| − β)
   FaceGeometry<D> reference;
   from.set->reference.locate(foot.element, foot.xi, 1, reference);
   const Vec<D> apart = from.place - reference.position, there = outward(from.set->reference, reference).normalized();
   if (faces && from.outward.dot(there) < 0 && apart.dot(there) >= 0) return true;
   // Not the point itself, of which a search may lead to the surroundings
   if (!faces && apart.norm() <= from.set->lengths[sheet]) return false;
-  return std::abs(gap) <= deepest_own * apart.norm();
+  // Through the body, as around a convex corner: β = ⟨−(X_s − X̄)·N̄⟩ + ⟨(X_s − X̄)·N_s⟩
+  const double through = std::max(-apart.dot(there), 0.0) + std::max(apart.dot(from.outward), 0.0);
+  return std::abs(gap) <= deepest_own * (apart.norm() - through);
 }
 
 template bool admissible(const Lookout<2>&, const FaceGeometry<2>&, const Vec<2>&, double, bool);

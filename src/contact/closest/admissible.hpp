@@ -10,18 +10,26 @@
 
 namespace signorini::contact {
 
-/// Constant data of a set of faces, by sheet of its surface.
-template <int D> struct FaceSet {
+/// What belongs to the faces of a set, by sheet of its surface.
+struct SetParts {
   std::vector<int> bodies;       ///< behind it; joined bodies have one number
   std::vector<double> thickness; ///< of the body behind it
-  Surface<D> reference;          ///< in the reference configuration, with the elements of the moving surface
-  double size;                   ///< largest distance in the reference configuration
-  std::vector<double> lengths;   ///< diagonal of the largest element
+  std::vector<char> apart = {};  ///< by two sheets, true if they do not touch each other; empty: all do
+
+  bool touch(int sheet, int other) const { return apart.empty() || !apart[sheet * bodies.size() + other]; }
+};
+
+/// Constant data of a set of faces.
+template <int D> struct FaceSet : SetParts {
+  Surface<D> reference;        ///< in the reference configuration, with the elements of the moving surface
+  double size;                 ///< largest distance in the reference configuration
+  std::vector<double> lengths; ///< diagonal of the largest element
 };
 
 /// From where a point of a set looks for its foot.
 template <int D> struct Lookout {
   const FaceSet<D>* set = nullptr;                           ///< null: every foot counts
+  int sheet = 0;                                             ///< of the point
   Sight<D> sight = {};                                       ///< its body and its current outward normal
   Vec<D> place = Vec<D>::Zero();                             ///< in the reference configuration
   Vec<D> outward = Vec<D>::Zero();                           ///< normal there

@@ -33,7 +33,7 @@ template <int D> Lookout<D> lookout(const Faces<D>& faces, const ContactPoints<D
   if (!set) return {};
   const int sheet = faces.slave.sheet(points.list[i].element);
   const Sight<D> sight{set->bodies[sheet], normal_at(points, faces.slave, i), near_elements * set->lengths[sheet]};
-  return {set, sight, points.reference[i], points.outward[i]};
+  return {set, sheet, sight, points.reference[i], points.outward[i]};
 }
 
 } // namespace signorini::contact

@@ -30,17 +30,16 @@ template <int D> Master<D>::Master(Surface<D> face, double opposite) : rigid_(fa
 }
 
 template <int D>
-Master<D>::Master(Surface<D> face, double opposite, std::vector<int> bodies, std::vector<double> thickness)
-    : rigid_(false), surface_(std::move(face)), boxes_(bodies) {
+Master<D>::Master(Surface<D> face, double opposite, SetParts parts)
+    : rigid_(false), surface_(std::move(face)), boxes_(parts.bodies) {
   surface_->extend(end_extension, end_extension * opposite);
   boxes_.update(*surface_);
   const auto& points = surface_->reference();
   const double size = (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm();
-  std::vector<double> lengths(bodies.size(), 0.0);
+  std::vector<double> lengths(parts.bodies.size(), 0.0);
   for (int e = 0; e < surface_->elements(); ++e)
     lengths[surface_->sheet(e)] = std::max(lengths[surface_->sheet(e)], std::sqrt(boxes_.diagonal2(e)));
-  set_ = std::make_shared<const FaceSet<D>>(
-      FaceSet<D>{std::move(bodies), std::move(thickness), *surface_, size, std::move(lengths)});
+  set_ = std::make_shared<const FaceSet<D>>(FaceSet<D>{std::move(parts), *surface_, size, std::move(lengths)});
 }
 
 template <int D>
@@ -80,7 +79,13 @@ template <int D> void Master<D>::place(FaceGeometry<D>& point) const {
 template <int D>
 Projection<D> Master<D>::project(const Vec<D>& x, const Projection<D>& seed, FaceGeometry<D>& point,
                                  const Lookout<D>& from) const {
-  if (!shape_) return contact::project(*surface_, boxes_, x, seed, point, from);
+  if (!shape_) {
+    Projection<D> found = contact::project(*surface_, boxes_, x, seed, point, from);
+    // A closest part that a point does not touch shields the parts behind it.
+    if (from.set && found.element >= 0 && !set_->touch(from.sheet, surface_->sheet(found.element)))
+      found.foot = Foot::none;
+    return found;
+  }
   with_shape<D>(*shape_, [&](const auto& shape) { find_closest(shape, motion_.pulled_back(x), point); });
   place(point);
   return {Foot::regular, 0, 0, point.xi, (x - point.position).dot(normal(point)), point.last};

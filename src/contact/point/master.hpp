@@ -19,8 +19,8 @@ template <int D> class Master {
 public:
   /// `opposite`: size of the slave's elements in the reference configuration.
   Master(Surface<D> face, double opposite = std::numeric_limits<double>::infinity());
-  /// A set of faces, a sheet of `face` each; `bodies`, `thickness`: see FaceSet.
-  Master(Surface<D> face, double opposite, std::vector<int> bodies, std::vector<double> thickness);
+  /// A set of faces, a sheet of `face` each.
+  Master(Surface<D> face, double opposite, SetParts parts);
   Master(Obstacle<D> obstacle, std::optional<Turning<D>> turning = {},
          double opposite = std::numeric_limits<double>::infinity());
 

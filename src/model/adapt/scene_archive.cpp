@@ -77,18 +77,18 @@ namespace {
 template <int D>
 void write_contact(ArchiveWriter& to, const Contact<D>& contact, const contact::Formulation<D>& formulation) {
   const auto& [name, slave, master, method, points, where, start, bonded, other_pass, default_penalty, adaptive_points,
-               own] = contact;
+               apart, own] = contact;
   require(!own, "model.archive.own_formulation");
   const auto* faces = std::get_if<Faces>(&master);
   to.put(name, slave, faces ? *faces : Faces{}, faces ? -1 : std::get<ObstacleReference>(master).obstacle, method,
          points, points_of_region(formulation), start, bonded_points(formulation), other_pass, default_penalty,
-         adaptive_points);
+         adaptive_points, apart);
 }
 
 template <int D> Contact<D> read_contact(ArchiveReader& from) {
   Contact<D> contact{};
-  auto& [name, slave, master, method, points, where, start, bonded, other_pass, default_penalty, adaptive_points, own] =
-      contact;
+  auto& [name, slave, master, method, points, where, start, bonded, other_pass, default_penalty, adaptive_points, apart,
+         own] = contact;
   from.into(name, slave);
   const Faces faces = from.get<Faces>();
   const ObstacleReference obstacle{from.get<int>()};
@@ -100,7 +100,7 @@ template <int D> Contact<D> read_contact(ArchiveReader& from) {
   where = region_of<D>(from.get<RegionPoints<D>>());
   from.into(start);
   bonded = region_of<D>(from.get<RegionPoints<D>>());
-  from.into(other_pass, default_penalty, adaptive_points);
+  from.into(other_pass, default_penalty, adaptive_points, apart);
   return contact;
 }
 

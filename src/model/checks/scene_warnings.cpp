@@ -193,7 +193,9 @@ bool act_twice(const Contact<D>& a, const Contact<D>& b, const contact::Formulat
   const auto* master = a.other_pass < 0 ? std::get_if<Faces>(&a.master) : nullptr;
   if (master && *master == b.slave && b.master == decltype(b.master)(a.slave)) return true; // slave and master swapped
   if (const auto* other = std::get_if<Faces>(&b.master); master && other && (is_set(a) || is_set(b)))
-    return (a.slave.meets(b.slave) && master->meets(*other)) || (a.slave.meets(*other) && master->meets(b.slave));
+    return std::ranges::any_of(a.slave, [&](const FaceReference& one) {
+      return std::ranges::any_of(*master, [&](const auto& face) { return may_touch(a, one, face) && may_touch(b, one, face); });
+    });
   const bool points = a.points == b.points;
   if (!(a.master == b.master) || !(points ? a.slave.meets(b.slave) : a.slave == b.slave)) return false;
   const auto here = places(first, points), there = places(second, points);

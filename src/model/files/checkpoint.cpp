@@ -23,7 +23,7 @@ namespace model {
 
 namespace {
 
-const ArchiveKind kind{"checkpoint", 11, 11};
+const ArchiveKind kind{"checkpoint", 12, 12};
 
 using Parts = std::vector<ScenePart>;
 

@@ -51,7 +51,7 @@ template <int D> Faces free_faces(const Scene<D>& scene) {
 
 template <int D> Contact<D> with_obstacle(const Scene<D>& scene, Contact<D> set, int obstacle) {
   const auto support = std::ranges::find_if(scene.supports, [&](const auto& one) { return one.acts_on(obstacle); });
-  set.name += "." + (support == scene.supports.end() ? "obstacle" + std::to_string(obstacle + 1) : support->name);
+  set.name = support == scene.supports.end() ? "obstacle" + std::to_string(obstacle + 1) : support->name;
   set.master = ObstacleReference{obstacle};
   set.method.pass = contact::Pass::full;
   return set;

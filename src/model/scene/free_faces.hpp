@@ -13,7 +13,7 @@ template <int D> bool is_collapsed(const Scene<D>& scene, const FaceReference& f
 /// part, nor the seam of a closed body, nor on the axis of an axisymmetric scene.
 template <int D> Faces free_faces(const Scene<D>& scene);
 
-/// The contact of a set of faces with an obstacle, which is named after the support that moves it.
+/// The contact of a set of faces with an obstacle, with the name of the support that moves it.
 template <int D> Contact<D> with_obstacle(const Scene<D>& scene, Contact<D> set, int obstacle);
 
 } // namespace signorini::model

@@ -76,6 +76,9 @@ template <int D> struct SceneCheck {
       some_faces(*master);
     else
       obstacle(std::get<ObstacleReference>(contact.master).obstacle);
+    const int faces = std::ssize(contact.slave);
+    for (const auto& [first, second] : contact.apart)
+      expect(is_set(contact) && first >= 0 && first <= second && second < faces, "faces of a set");
     constexpr int most_points = 100;
     expect(contact.points >= 1 && contact.points <= most_points, "a number of contact points");
     const int count = std::ssize(scene.contacts);

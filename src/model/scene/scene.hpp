@@ -126,6 +126,8 @@ template <int D> struct Contact {
   int other_pass = -1;                     ///< of a half pass: index of the contact with slave and master swapped
   bool default_penalty = false;            ///< its penalty is from material and mesh
   bool adaptive_points = false;            ///< see contact::ContactSetting::adaptive
+  /// Of a set, pairs of faces that do not touch each other, by place in the list, the lower one first
+  std::vector<std::array<int, 2>> apart = {};
   contact::FormulationFactory<D> own = {}; ///< a user-defined formulation, in place of the method
 };
 
@@ -170,6 +172,21 @@ struct ScenePart {
 template <int D> bool is_set(const Contact<D>& contact) {
   const auto* master = std::get_if<Faces>(&contact.master);
   return master && *master == contact.slave;
+}
+
+/// True if two faces of bodies touch each other in a contact.
+template <int D> bool may_touch(const Contact<D>& contact, const FaceReference& one, const FaceReference& other) {
+  const auto* master = std::get_if<Faces>(&contact.master);
+  if (!master) return false;
+  if (!is_set(contact))
+    return (contact.slave.contains(one) && master->contains(other)) ||
+           (contact.slave.contains(other) && master->contains(one));
+  const auto place = [&](const FaceReference& face) {
+    return static_cast<int>(std::ranges::find(contact.slave, face) - contact.slave.begin());
+  };
+  const int a = place(one), b = place(other), count = static_cast<int>(contact.slave.size());
+  return a < count && b < count &&
+         std::ranges::find(contact.apart, std::array{std::min(a, b), std::max(a, b)}) == contact.apart.end();
 }
 
 /// True for contact at points with an obstacle, whose slave may be any list of faces.

@@ -45,13 +45,15 @@ contact::Master<D> master_of(const Scene<D>& scene, const Contact<D>& contact, c
   const double opposite = middle_size(slave);
   if (is_set(contact)) {
     const Groups connected = connected_bodies(scene, true);
-    std::vector<int> bodies;
-    std::vector<double> thick;
+    contact::SetParts parts;
     for (const FaceReference& face : contact.slave) {
-      bodies.push_back(connected.leader(face.body));
-      thick.push_back(thickness(scene, face));
+      parts.bodies.push_back(connected.leader(face.body));
+      parts.thickness.push_back(thickness(scene, face));
     }
-    return {slave, opposite, std::move(bodies), std::move(thick)};
+    const std::size_t count = contact.slave.size();
+    if (!contact.apart.empty()) parts.apart.assign(count * count, false);
+    for (const auto& [i, k] : contact.apart) parts.apart[i * count + k] = parts.apart[k * count + i] = true;
+    return {slave, opposite, std::move(parts)};
   }
   if (const auto* faces = std::get_if<Faces>(&contact.master)) return {surface_of(scene, *faces), opposite};
   const int obstacle = std::get<ObstacleReference>(contact.master).obstacle;
