@@ -3,6 +3,7 @@
 #include "contact/gauss/set_points.hpp"
 #include "contact/point/interface_force.hpp"
 #include "contact/point/touch.hpp"
+#include "contact/point/unfold.hpp"
 #include "os/timer.hpp"
 
 #include <cmath>
@@ -125,8 +126,10 @@ LocalGeometry<D> GaussPointContact<D>::closed_geometry(std::size_t i, const Tria
     if (from) point.slip = *from;
   }
   if (point.slips) {
-    faces_.master.locate(point.slip, feet.slip_point);
+    locate_slip(faces_, point.slip, feet.foot, feet.slip_point);
     geometry.slip_point = &feet.slip_point.position;
+    if (point.projection.foot == Foot::corner)
+      geometry.way = way_to_corner(faces_.master, feet.foot, feet.slip_point.position);
   }
   return geometry;
 }

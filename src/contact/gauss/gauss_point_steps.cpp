@@ -3,6 +3,7 @@
 #include "contact/gauss/gauss_point_contact.hpp"
 #include "contact/gauss/history_transfer.hpp"
 #include "contact/point/point_choice.hpp"
+#include "contact/point/unfold.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -58,7 +59,7 @@ void GaussPointContact<D>::advance_slip_point(std::size_t i, History<D>& history
   } else if (result.state == ContactState::slip) {
     FacePoint<D> foot, slip_point;
     master.locate(point.projection.point(), foot);
-    master.locate(point.slip, slip_point);
+    locate_slip(faces_, point.slip, foot, slip_point);
     const double before = (slip_point.position - foot.position).norm();
     double error = 0; // of the new slip point
     if (law.along) {
@@ -73,15 +74,14 @@ void GaussPointContact<D>::advance_slip_point(std::size_t i, History<D>& history
       };
       slip_of_step = slip_from(slip_point.position).norm();
       point.slip = master.along_normal(foot.position - elastic, n, point.projection, lookout(faces_, points_, i));
-      master.locate(point.slip, slip_point);
+      locate_slip(faces_, point.slip, foot, slip_point);
       error = slip_from(slip_point.position).norm();
     } else {
       // |x̄ᵐ − xᵐ(ξ_sl)| decreases to μ t_N/ε_T; the difference is the slip Δγ.
       const double length = result.mu * pressure_of(history, i) * stretch(result) / law.tangential;
       slip_of_step = std::max(before - length, 0.0);
       point.slip = master.advance(point.slip, foot, length);
-      master.locate(point.slip, slip_point);
-      error = std::abs((slip_point.position - foot.position).norm() - length);
+      error = std::abs(way_length(master, foot, point.slip) - length);
     }
     history.dissipated += parameters_.energy_share() * 0.5 * (before_slip + limit) * slip_of_step;
     // Distances are differences of positions, whose rounding errors exceed the tolerance where springs are very short.

@@ -1,6 +1,7 @@
 #include "contact/mortar/mortar_contact.hpp"
 
 #include "contact/point/touch.hpp"
+#include "contact/point/unfold.hpp"
 #include "os/parallel.hpp"
 #include "os/timer.hpp"
 
@@ -86,7 +87,7 @@ void MortarContact<D>::weigh(std::size_t i, const Trial<D>& trial, FootPoints<D>
         point.slip = *from;
       }
     if (point.slips) {
-      master.locate(point.slip, feet.slip_point);
+      locate_slip(faces_, point.slip, feet.foot, feet.slip_point);
       one.slip = one.area * (feet.foot.position - feet.slip_point.position);
     }
     if (trial.controls.foresees) one.before = one.area * gap_before(i, trial, distance);
@@ -208,7 +209,7 @@ void MortarContact<D>::add_point(std::size_t i, int part, const Trial<D>& trial,
   const FacePoint<D>* slip_point = nullptr;
   const bool slides = frictional(trial.present);
   if (slides && point.slips) {
-    master.locate(point.slip, feet.slip_point);
+    locate_slip(faces_, point.slip, feet.foot, feet.slip_point);
     slip_point = &feet.slip_point;
   }
   // J = measure/reference measure

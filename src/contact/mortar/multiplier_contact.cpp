@@ -3,6 +3,7 @@
 #include "contact/constants.hpp"
 #include "contact/mortar/multiplier_rows.hpp"
 #include "contact/point/frame.hpp"
+#include "contact/point/unfold.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -184,9 +185,9 @@ template <int D>
 MasterPoint<D> MultiplierContact<D>::slipped_to(const PointHistory<D>& point, const Vec<D>& slip) const {
   const Master<D>& master = faces_.master;
   FacePoint<D> foot, found;
-  master.locate(point.slip, found);
-  const Vec<D> goal = found.position + slip;
   master.locate(point.projection, foot);
+  locate_slip(faces_, point.slip, foot, found);
+  const Vec<D> goal = found.position + slip;
   return master.along_normal(goal, master.normal(foot), point.projection);
 }
 

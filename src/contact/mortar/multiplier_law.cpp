@@ -101,8 +101,8 @@ PointCondition<D> closed_condition(const InterfaceLaw& law, const LocalGeometry<
   Augmented<D> point{n.dot(multiplier) - law.normal * g, multiplier.transpose() * gap.normal - law.normal * gap.gap,
                      n.transpose()};
   if (slides(law) && geometry.slip_point) {
-    const Vec<D> x = law.tangential * (geometry.master->position - *geometry.slip_point) - multiplier;
-    const LocalBlock<D> slip = slip_rows(geometry, shift);
+    const Vec<D> x = law.tangential * slip_of(geometry) - multiplier;
+    const LocalBlock<D> slip = slip_rows(geometry, gap, shift);
     (law.along ? rub_along_axes<D> : rub_in_plane<D>)(law, geometry, x, slip, gap, point, condition);
     if (!point.of_pressure.isZero(0)) {
       point.rows += point.of_pressure * point.q_row;

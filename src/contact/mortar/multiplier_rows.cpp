@@ -17,7 +17,7 @@ LocalRows<D> point_rows(const LocalGeometry<D>& geometry, const GapRows<D>& gap,
   if (!frictional) return rows;
   rows.template middleRows<D>(Rows::normal) = area * gap.normal + geometry.normal * area_row;
   if (slip_point) {
-    rows.template middleRows<D>(Rows::slip) = area * slip_rows(geometry, shift);
+    rows.template middleRows<D>(Rows::slip) = area * slip_rows(geometry, gap, shift);
     rows.template middleRows<D>(Rows::slip).noalias() += (geometry.master->position - slip_point->position) * area_row;
   }
   if constexpr (D == 3) {

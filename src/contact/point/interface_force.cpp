@@ -28,7 +28,7 @@ void store(const InterfaceLaw& law, double gap, const Rubbing<N>& rubbing, const
 /// Subtracts the friction of a point with a slip point from the derivatives of its traction.
 template <int D>
 void subtract_friction(const InterfaceLaw& law, const Rubbing<D>& rubbing, const LocalGeometry<D>& geometry,
-                       const LocalRow<D>& gap, const LocalShift<D>& shift, LocalBlock<D>& traction_rows) {
+                       const GapRows<D>& rows, const LocalShift<D>& shift, LocalBlock<D>& traction_rows) {
   using Force = LocalForce<D>;
   LocalBlock<D> trial_rows = LocalBlock<D>::Zero();
   each_range<D>([&]<int From, int Count>() {
@@ -38,6 +38,7 @@ void subtract_friction(const InterfaceLaw& law, const Rubbing<D>& rubbing, const
   });
   trial_rows.template middleCols<D>(Force::master_column).diagonal().array() += law.tangential;
   trial_rows.template middleCols<D>(Force::slip_column).diagonal().setConstant(-law.tangential);
+  turn_slip(geometry, rows, law.tangential, trial_rows);
 
   const Slide<D>& step = rubbing.slide;
   if (step.state == ContactState::stick) {
@@ -46,10 +47,11 @@ void subtract_friction(const InterfaceLaw& law, const Rubbing<D>& rubbing, const
   }
   each_range<D>([&]<int From, int Count>() {
     traction_rows.template middleCols<Count>(From) -=
-        (step.of_pressure * rubbing.response.rate * step.direction) * gap.template middleCols<Count>(From) +
+        (step.of_pressure * rubbing.response.rate * step.direction) * rows.gap.template middleCols<Count>(From) +
         step.of_trial * trial_rows.template middleCols<Count>(From);
   });
-  traction_rows.template middleCols<D>(Force::slip_column) = law.tangential * step.of_trial;
+  traction_rows.template middleCols<D>(Force::slip_column) =
+      -step.of_trial * trial_rows.template middleCols<D>(Force::slip_column);
   // δp = … + of_trial·δt* by wear
   if (rubbing.worn != 0)
     traction_rows.noalias() +=
@@ -60,7 +62,7 @@ void subtract_friction(const InterfaceLaw& law, const Rubbing<D>& rubbing, const
 template <int D>
 void subtract_friction(const PlaneSlide<D>& found, const LocalGeometry<D>& geometry, const GapRows<D>& rows,
                        const LocalShift<D>& shift, LocalBlock<D>& traction_rows) {
-  const LocalBlock<D> slip = slip_rows(geometry, shift);
+  const LocalBlock<D> slip = slip_rows(geometry, rows, shift);
   traction_rows -=
       (found.rubbing.response.rate * found.of_pressure) * rows.gap + friction_rows(found, geometry, slip, rows);
   if (found.worn)
@@ -87,7 +89,7 @@ void interface_force(const InterfaceLaw& law, const LocalGeometry<D>& geometry, 
   std::optional<Rubbing<D>> rubbing;
   std::optional<PlaneSlide<D>> in_plane;
   if (slides(law) && geometry.slip_point && rubs) {
-    const Vec<D> slip = geometry.master->position - *geometry.slip_point; // both on the current master
+    const Vec<D> slip = slip_of(geometry);
     if (law.along) {
       in_plane = slide_along_axes(law, geometry, slip, response);
       response = in_plane->rubbing.response;
@@ -106,7 +108,7 @@ void interface_force(const InterfaceLaw& law, const LocalGeometry<D>& geometry, 
     traction_rows.template middleCols<Count>(From) = result.pressure * rows.normal.template middleCols<Count>(From) +
                                                      (response.rate * n) * rows.gap.template middleCols<Count>(From);
   });
-  if (rubbing) subtract_friction(law, *rubbing, geometry, rows.gap, result.shift, traction_rows);
+  if (rubbing) subtract_friction(law, *rubbing, geometry, rows, result.shift, traction_rows);
   if (in_plane) subtract_friction(*in_plane, geometry, rows, result.shift, traction_rows);
   const Vec<D> traction = result.pressure * n - result.friction;
 

@@ -86,11 +86,34 @@ template <int D> GapRows<D> gap_rows(const LocalGeometry<D>& geometry, LocalShif
   return rows;
 }
 
-template <int D> LocalBlock<D> slip_rows(const LocalGeometry<D>& geometry, const LocalShift<D>& shift) {
+template <int D> Vec<D> slip_of(const LocalGeometry<D>& geometry) {
+  const Vec<D> chord = geometry.master->position - *geometry.slip_point; // both on the current master
+  if constexpr (D == 2)
+    if (geometry.way != 0) return geometry.way * chord.norm() * Vec<D>(-geometry.normal(1), geometry.normal(0));
+  return chord;
+}
+
+template <int D>
+void turn_slip(const LocalGeometry<D>& geometry, const GapRows<D>& rows, double factor, LocalBlock<D>& slip) {
+  if constexpr (D == 2) {
+    if (geometry.way == 0) return;
+    // δv = s (J n̄ δ|x̄ᵐ − xᵐ(ξ_sl)| + |x̄ᵐ − xᵐ(ξ_sl)| J δn̄)
+    const Vec<D> chord = geometry.master->position - *geometry.slip_point;
+    const LocalRow<D> longer = chord.normalized().transpose() * slip;
+    const Vec<D>& n = geometry.normal;
+    const double length = factor * chord.norm();
+    slip.row(0) = geometry.way * (-n(1) * longer - length * rows.normal.row(1));
+    slip.row(1) = geometry.way * (n(0) * longer + length * rows.normal.row(0));
+  }
+}
+
+template <int D>
+LocalBlock<D> slip_rows(const LocalGeometry<D>& geometry, const GapRows<D>& rows, const LocalShift<D>& shift) {
   LocalBlock<D> slip = LocalBlock<D>::Zero();
   slip.template middleCols<D>(LocalForce<D>::master_column).setIdentity();
   slip.template middleCols<D>(LocalForce<D>::slip_column).diagonal().setConstant(-1);
   for (int a = 0; a < D - 1; ++a) slip.noalias() += geometry.master->tangent[a] * shift.row(a);
+  turn_slip(geometry, rows, 1, slip);
   return slip;
 }
 
@@ -108,7 +131,11 @@ template void fade_area<2>(const LocalGeometry<2>&, const LocalShift<2>&, double
 template void fade_area<3>(const LocalGeometry<3>&, const LocalShift<3>&, double&, LocalRow<3>&);
 template GapRows<2> gap_rows<2>(const LocalGeometry<2>&, LocalShift<2>&);
 template GapRows<3> gap_rows<3>(const LocalGeometry<3>&, LocalShift<3>&);
-template LocalBlock<2> slip_rows<2>(const LocalGeometry<2>&, const LocalShift<2>&);
-template LocalBlock<3> slip_rows<3>(const LocalGeometry<3>&, const LocalShift<3>&);
+template Vec<2> slip_of(const LocalGeometry<2>&);
+template Vec<3> slip_of(const LocalGeometry<3>&);
+template void turn_slip(const LocalGeometry<2>&, const GapRows<2>&, double, LocalBlock<2>&);
+template void turn_slip(const LocalGeometry<3>&, const GapRows<3>&, double, LocalBlock<3>&);
+template LocalBlock<2> slip_rows(const LocalGeometry<2>&, const GapRows<2>&, const LocalShift<2>&);
+template LocalBlock<3> slip_rows(const LocalGeometry<3>&, const GapRows<3>&, const LocalShift<3>&);
 
 } // namespace signorini::contact

@@ -19,6 +19,8 @@ template <int D> struct LocalGeometry {
   double offset = 0;        ///< gap at which the surfaces touch
   Vec<D> normal;            ///< n̄, unit, outward from the master
   const Vec<D>* slip_point; ///< xᵐ(ξ_sl) on the current master; null: no friction at this point yet
+  /// At a corner of a curve, 1 or −1: the way from the slip point to it runs along n̄ turned by 90° or against it
+  double way = 0;
   FaceCoordinates<D> axis = FaceCoordinates<D>::Unit(0); ///< see ContactPoints::axis()
   bool revolved = false;    ///< axisymmetric: the first coordinate is the radius, areas are those of the full circle
   double reference_measure; ///< reference area per parametric area
@@ -69,8 +71,15 @@ template <int D> struct GapRows {
   LocalBlock<D> normal;
 };
 template <int D> GapRows<D> gap_rows(const LocalGeometry<D>& geometry, LocalShift<D>& shift);
-/// Derivative of the slip v = x̄ᵐ − xᵐ(ξ_sl):  δv = δx̄ᵐ + τ_α δξ̄^α − δxᵐ(ξ_sl).
-template <int D> LocalBlock<D> slip_rows(const LocalGeometry<D>& geometry, const LocalShift<D>& shift);
+/// The slip v = x̄ᵐ − xᵐ(ξ_sl); at a corner of a curve, around which friction is carried,
+///   v = s |x̄ᵐ − xᵐ(ξ_sl)| J n̄,   J: rotation by 90°, s = `way`  [theory 7.8].
+template <int D> Vec<D> slip_of(const LocalGeometry<D>& geometry);
+/// Its derivative  δv = δx̄ᵐ + τ_α δξ̄^α − δxᵐ(ξ_sl).
+template <int D>
+LocalBlock<D> slip_rows(const LocalGeometry<D>& geometry, const GapRows<D>& rows, const LocalShift<D>& shift);
+/// Turns derivatives of k (x̄ᵐ − xᵐ(ξ_sl)) at a corner into those of k v.
+template <int D>
+void turn_slip(const LocalGeometry<D>& geometry, const GapRows<D>& rows, double factor, LocalBlock<D>& slip);
 
 /// Multiplies an area by its effective fraction w [theory 5.10]: m ← w m, δm ← w δm + m w_,α δξ̄^α.
 template <int D>

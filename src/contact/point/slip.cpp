@@ -1,5 +1,7 @@
 #include "contact/point/slip.hpp"
 
+#include "contact/point/unfold.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -40,10 +42,9 @@ FaceCoordinates<D> along_chord(const Surface<D>& surface, const FaceCoordinates<
   return best;
 }
 
-} // namespace
-
-FaceCoordinates<2> advance_slip(const Surface<2>& surface, const FaceCoordinates<2>& slip, const FaceGeometry<2>& foot,
-                                double length) {
+/// As advance_slip(), on the way to `foot` on the same side of all kinks.
+FaceCoordinates<2> advance_smoothly(const Surface<2>& surface, const FaceCoordinates<2>& slip,
+                                    const FaceGeometry<2>& foot, double length) {
   const int sheet = surface.sheet(foot.element);
   if (surface.sheet_at(slip) != sheet) return along_chord(surface, slip, foot, length);
   const nurbs::Space1D& space = surface.direction(0, sheet);
@@ -85,9 +86,36 @@ FaceCoordinates<2> advance_slip(const Surface<2>& surface, const FaceCoordinates
   return FaceCoordinates<2>(wrapped(xi));
 }
 
+FaceCoordinates<3> advance_smoothly(const Surface<3>& surface, const FaceCoordinates<3>& slip,
+                                    const FaceGeometry<3>& foot, double length) {
+  return along_chord(surface, slip, foot, length);
+}
+
+/// Side by side of the kinks between foot and slip point.
+template <int D>
+FaceCoordinates<D> advance(const Surface<D>& surface, const FaceCoordinates<D>& slip, FaceGeometry<D> foot,
+                           double length) {
+  for (const Kink<D>& kink : kinks_between(surface, foot, slip)) {
+    FaceGeometry<D> border;
+    surface.locate(kink.far.element, kink.far.xi, 0, border);
+    const double distance = (border.position - foot.position).norm();
+    if (length <= distance) return advance_smoothly(surface, kink.near.xi, foot, length);
+    length -= distance;
+    foot = border;
+  }
+  return advance_smoothly(surface, slip, foot, length);
+}
+
+} // namespace
+
+FaceCoordinates<2> advance_slip(const Surface<2>& surface, const FaceCoordinates<2>& slip, const FaceGeometry<2>& foot,
+                                double length) {
+  return advance(surface, slip, foot, length);
+}
+
 FaceCoordinates<3> advance_slip(const Surface<3>& surface, const FaceCoordinates<3>& slip, const FaceGeometry<3>& foot,
                                 double length) {
-  return along_chord(surface, slip, foot, length);
+  return advance(surface, slip, foot, length);
 }
 
 } // namespace signorini::contact
