@@ -20,19 +20,20 @@
 -- Expected: if the master has no sharp edges, all models complete except one in several hundred; if the block is the
 --           master, about 1 % end early (35 % if the traction ended at the boundary of the master face).
 -- Run: signorini stability/generated.lua [kind=plane] [first=1] [count=2209] [mirror=no] [saved=no] [law=gpts]
---      [fewer=1] [jobs=2] [limit=600] [out=out/stability/generated]; kind: plane (2D) or space (3D); first, count:
---      seeds; law: gpts, mortar or multipliers; fewer: divides the numbers of steps, so that more of them are cut;
---      limit: seconds per model. A second call continues from the results in the folder.
+--      [ends=no] [fewer=1] [jobs=2] [limit=600] [out=out/stability/generated]; kind: plane (2D) or space (3D); first,
+--      count: seeds; law: gpts, mortar, multipliers or among, in which all outer faces of the body are in the contact;
+--      ends: only the scenes with the block as master; fewer: divides the numbers of steps, so that more of them are
+--      cut; limit: seconds per model. A second call continues from the results in the folder.
 
 local sg = require "signorini"
 local scenes = require "generated.scenes"
 
 local laws = { gpts = {}, mortar = { method = "mortar" },
-               multipliers = { method = "mortar", enforcement = "multipliers" } }
+               multipliers = { method = "mortar", enforcement = "multipliers" }, among = {} }
 local options = sg.arguments{
   kind = { "plane", choices = scenes.kinds }, first = 1, count = 2209, mirror = false, saved = false,
-  law = { "gpts", choices = { "gpts", "mortar", "multipliers" } }, fewer = { 1, at_least = 1 }, jobs = 2,
-  limit = 600.0, out = "out/stability/generated",
+  law = { "gpts", choices = { "gpts", "mortar", "multipliers", "among" } }, ends = false, fewer = { 1, at_least = 1 },
+  jobs = 2, limit = 600.0, out = "out/stability/generated",
 }
 local tolerance = 1e-5 -- of the largest force, for a scene and its mirror image, or the same that is saved
 
@@ -40,7 +41,7 @@ local tolerance = 1e-5 -- of the largest force, for a scene and its mirror image
 
 local function solve(case)
   local scene = scenes.describe(case.kind, case.seed)
-  scene.law = laws[case.law]
+  scene.law, scene.outline = laws[case.law], case.law == "among"
   for stage, steps in pairs(scene.steps) do scene.steps[stage] = math.max(1, steps // case.fewer) end
   local _, account = scenes.solve(scene, sg.robust{})
   local result = {
@@ -63,9 +64,13 @@ local function solve(case)
 end
 
 local seeds = {}
-for i = 1, options.count do seeds[i] = options.first + i - 1 end
+for seed = options.first, options.first + options.count - 1 do
+  local scene = scenes.describe(options.kind, seed)
+  if not options.ends or (scene.shape == "block" and scene.slave == "slab") then seeds[#seeds + 1] = seed end
+end
 local name = options.kind .. (options.mirror and "_mirrored" or "") .. (options.saved and "_saved" or "")
   .. (options.law ~= "gpts" and "_" .. options.law or "") .. (options.fewer > 1 and "_" .. options.fewer or "")
+  .. (options.ends and "_ends" or "")
 local study = sg.study{
   name = "generated " .. options.kind, folder = options.out .. "/" .. name, run = solve,
   cases = sg.grid{ kind = { options.kind }, mirror = { options.mirror }, saved = { options.saved },

@@ -96,7 +96,18 @@ end
 local mirrors = { plane = { 1, 0 }, space = { 1, 0, 0 } }
 local other_side = { west = "east", east = "west" } -- a mirrored patch has the opposite direction along x
 
---- Model and stages of a scene, or of its mirror image. scene.law: further arguments of the contact, such as `method`.
+--- The slab's upper side and all sides of the body but the driven ones.
+local function outline(top, body, driven, plane)
+  local faces, inside = { top }, {}
+  for _, side in ipairs(driven) do inside[side] = true end
+  for i, side in ipairs{ "west", "east", "south", "north", "front", "back" } do
+    if (i <= 4 or not plane) and not inside[side] then faces[#faces + 1] = body:face(side) end
+  end
+  return faces
+end
+
+--- Model and stages of a scene, or of its mirror image. scene.law: further arguments of the contact, such as `method`;
+--- scene.outline: all sides of the body are in the contact.
 function scenes.build(scene, mirrored)
   local plane = scene.kind == "plane"
   local all, sign = plane and "xy" or "xyz", mirrored and -1 or 1
@@ -107,7 +118,7 @@ function scenes.build(scene, mirrored)
   end
   local patch, top, bottom = slab_patch(scene.kind)
   local slab = body(patch, "slab", top, 1)
-  local bodies, faces, driven = { slab = slab }, { slab = slab:face(top) }, {}
+  local bodies, faces, driven, around = { slab = slab }, { slab = slab:face(top) }, {}, nil
   if scene.shape == "cylinder" then
     driven = cylinder(scene.kind, sign * scene.place)
     faces.body = driven
@@ -115,13 +126,16 @@ function scenes.build(scene, mirrored)
     local shape, face, sides = shapes[scene.kind][scene.shape](scene.place)
     bodies.body = body(shape, "body", face, scene.E)
     faces.body = bodies.body:face(face)
-    for i, side in ipairs(sides) do driven[i] = bodies.body:face(mirrored and other_side[side] or side) end
+    for i, side in ipairs(sides) do sides[i] = mirrored and other_side[side] or side end
+    for i, side in ipairs(sides) do driven[i] = bodies.body:face(side) end
+    if scene.outline then around = outline(faces.slab, bodies.body, sides, plane) end
   end
   local interface = {
     slave = faces[scene.slave], master = faces[scene.slave == "slab" and "body" or "slab"], penalty = scene.penalty,
     friction = scene.mu > 0 and { mu = scene.mu, penalty = scene.penalty } or nil,
   }
   for key, value in pairs(scene.law or {}) do interface[key] = value end
+  if around then interface.slave, interface.master, interface.among = nil, nil, around end
   local model = sg.model{
     bodies = bodies,
     supports = { bed = { on = slab:face(bottom), fix = all }, grip = { on = driven, drive = all } },

@@ -153,17 +153,26 @@ std::vector<int> crossed(const Formulation<D>& contact, const History<D>& presen
   for (std::size_t i = 0; i < points.size(); ++i) {
     const PointHistory<D>& point = present.points[i];
     const PointResult<D>& result = present.results[i];
-    if (!acts(points, present, i) || result.beyond || touches(result.state)) continue;
-    // Points at a distance of more than their approach need no test.
+    if (!acts(points, present, i) || result.beyond) continue;
     const double touching = parameters.offset(i, present);
-    const double moved = (result.position - accepted.results[i].position).norm() + master_moved;
+    const Vec<D>& before = accepted.results[i].position;
+    const double moved = (result.position - before).norm() + master_moved;
+    Lookout<D> from = lookout(faces, points, i);
+    if (from.set) {
+      from.farthest = from.sight.reach = moved + std::max(touching, 0.0);
+      if (accepted.points[i].cleared <= faces.travel &&
+          has_passed_through(faces.accepted, faces.master, before, result.position, accepted.points[i].projection,
+                             point.projection, touches(result.state), std::min(0.0, touching), from))
+        numbers.push_back(static_cast<int>(i));
+      continue;
+    }
+    if (touches(result.state)) continue;
+    // Points at a distance of more than their approach need no test.
     const double least = point.cleared > 0 ? point.cleared - faces.travel + touching : point.projection.gap;
     if (moved <= 0 || least > moved) continue;
     const Vec<D> outward = normal_at(points, faces.slave, i);
-    Lookout<D> from = lookout(faces, points, i);
-    if (from.set) from.farthest = from.sight.reach = moved + std::max(touching, 0.0);
-    if (has_crossed(faces.accepted, faces.master, accepted.results[i].position, result.position, outward,
-                    point.projection, std::min(0.0, touching), from))
+    if (has_crossed(faces.accepted, faces.master, before, result.position, outward, point.projection,
+                    std::min(0.0, touching), from))
       numbers.push_back(static_cast<int>(i));
   }
   return numbers;

@@ -27,9 +27,41 @@ bool has_crossed(const Master<D>& before, const Master<D>& now, const Vec<D>& fr
   return false;
 }
 
-template bool has_crossed<2>(const Master<2>&, const Master<2>&, const Vec<2>&, const Vec<2>&, const Vec<2>&,
-                             const Projection<2>&, double, const Lookout<2>&);
-template bool has_crossed<3>(const Master<3>&, const Master<3>&, const Vec<3>&, const Vec<3>&, const Vec<3>&,
-                             const Projection<3>&, double, const Lookout<3>&);
+template <int D>
+bool has_passed_through(const Master<D>& before, const Master<D>& now, const Vec<D>& from, const Vec<D>& to,
+                        const Projection<D>& seed, const Projection<D>& last, bool touching, double allowed,
+                        const Lookout<D>& lookout) {
+  FaceGeometry<D> front, carried, point;
+  const Projection<D> first = before.project(from, seed, front, lookout);
+  if (first.foot != Foot::regular) return false;
+  now.locate(first, carried);
+  const Vec<D> normal = now.normal(carried);
+  const auto depth_of = [&](const FaceGeometry<D>& foot) {
+    return deepest_own * lookout.set->thickness[lookout.set->reference.sheet(foot.element)];
+  };
+  if ((to - carried.position).dot(normal) >= allowed - depth_of(carried)) return false;
+  if (last.foot == Foot::regular) {
+    now.locate(last, point);
+    const double facing = now.normal(point).dot(normal);
+    if (touching || last.gap > 0) return facing < -back_to_back;
+  }
+  if (touching) return false;
+  const Vec<D> way = (from - front.position) - (to - carried.position);
+  Projection<D> found = first;
+  for (int k = 1; k < crossing_pieces; ++k) {
+    found = now.project(to + (static_cast<double>(k) / crossing_pieces) * way, found, point, lookout);
+    if (found.foot == Foot::regular && found.gap < allowed - depth_of(point)) return true;
+  }
+  return false;
+}
+
+#define SIGNORINI_INSTANTIATE(D)                                                                                       \
+  template bool has_crossed(const Master<D>&, const Master<D>&, const Vec<D>&, const Vec<D>&, const Vec<D>&,           \
+                            const Projection<D>&, double, const Lookout<D>&);                                          \
+  template bool has_passed_through(const Master<D>&, const Master<D>&, const Vec<D>&, const Vec<D>&,                   \
+                                   const Projection<D>&, const Projection<D>&, bool, double, const Lookout<D>&);
+SIGNORINI_INSTANTIATE(2)
+SIGNORINI_INSTANTIATE(3)
+#undef SIGNORINI_INSTANTIATE
 
 } // namespace signorini::contact

@@ -14,4 +14,12 @@ template <int D>
 bool has_crossed(const Master<D>& before, const Master<D>& now, const Vec<D>& from, const Vec<D>& to,
                  const Vec<D>& outward, const Projection<D>& seed, double allowed, const Lookout<D>& lookout = {});
 
+/// The same of a point of a set, which may touch: `last` is its present foot. It has passed through the part that it
+/// faced at `from` if it is behind this part's tangent plane by a quarter of the thickness, with a foot on a part that
+/// faces the other way or, open without a foot, after a way as deep in the set. `seed`: its foot in the accepted state.
+template <int D>
+bool has_passed_through(const Master<D>& before, const Master<D>& now, const Vec<D>& from, const Vec<D>& to,
+                        const Projection<D>& seed, const Projection<D>& last, bool touching, double allowed,
+                        const Lookout<D>& lookout);
+
 } // namespace signorini::contact

@@ -185,6 +185,56 @@ check.case("all faces with all: obstacles, joined faces", function()
   check.equal(last(run, "all.area"), 0)
 end)
 
+check.case("pairs that do not touch, or have constants of their own", function()
+  --- Three blocks in a column, pressed and dragged by the uppermost, on a plane.
+  local function column(more)
+    local a, b, c = block({ 0, 0 }, 1.2, { 4, 2 }), block({ 0.1, 1 }, 1, { 3, 2 }), block({ 0.2, 2 }, 0.8, { 3, 2 })
+    local floor = sg.rigid.plane { point = { 0, 0 }, normal = { 0, 1 } }
+    local contact = law(1000, { among = "all" })
+    for key, value in pairs(more(a, b, c, floor)) do contact[key] = value end
+    local model = sg.model { bodies = { a = a, b = b, c = c }, contacts = { all = contact },
+                             supports = { floor = { on = floor, fix = "xy" },
+                                          side = { on = { a:face "west", b:face "west" }, fix = "x" },
+                                          grip = { on = c:face "north", drive = "xy" } } }
+    return model, solved(model, { { name = "press", steps = 2, grip = { 0, -0.1 } },
+                                  { name = "drag", steps = 3, grip = { 0.1, -0.1 } } })
+  end
+  local _, plain = column(function() return {} end)
+  local fx, fy = last(plain, "grip.fx"), last(plain, "grip.fy")
+  check.within("slides", -last(plain, "all.b_c.fx"), 0.3 * last(plain, "all.b_c.fy"), 0.3)
+
+  local model, split = column(function(_, b, c)
+    return { pairs = { joint = { between = { b, c }, friction = { mu = 0.3, penalty = 1000 } } } }
+  end)
+  check.equal(model:contact_names(), { "all.joint", "all", "all.floor" })
+  check.within("the same law in a contact of its own", last(split, "grip.fx"), fx, 1e-10)
+  check.within("the same law in a contact of its own", last(split, "grip.fy"), fy, 1e-10)
+  check.within("its force", last(split, "all.joint.b_c.fy"), last(plain, "all.b_c.fy"), 1e-9)
+  check.equal(last(split, "all.b_c.fy"), 0)
+  local again = check.reloaded(model)
+  check.equal(#again:warnings(), #model:warnings())
+  local further = { { name = "more", steps = 1, grip = { 0.12, -0.1 } } }
+  check.equal(last(solved(again, further), "grip.fx"), last(solved(model, further), "grip.fx"))
+
+  local _, smooth = column(function(_, b, c)
+    return { pairs = { joint = { between = { b:face "north", { c:face "south" } }, friction = { mu = 0 } } } }
+  end)
+  check.within("without friction", last(smooth, "all.joint.b_c.fx") / fy, 0, 0.03)
+  local slippery, held = column(function(a, _, _, floor)
+    return { pairs = { bed = { between = { floor, a }, penalty = 500 } } }
+  end)
+  check.equal(slippery:contact_names(), { "all.bed", "all", "all.floor" })
+  check.within("on the floor", last(held, "all.bed.fy"), -last(held, "grip.fy"), 1e-9)
+
+  -- Without contact the uppermost block moves freely into the one below, whose sides it does not touch, either.
+  for _, upper in ipairs { "body", "face" } do
+    local _, free = column(function(a, b, c)
+      return { except = { { { a, b }, c }, { a, upper == "body" and b or { b:face "south" } } } }
+    end)
+    check.at_most("force", math.abs(last(free, "grip.fy")), 1e-9)
+  end
+end)
+
 check.case("any list of faces against an obstacle", function()
   local foot = block({ 0, 0 }, 1, { 3, 2 })
   local model = sg.model { bodies = { foot = foot },
@@ -208,6 +258,32 @@ check.case("a corner with its two sides", function()
   check.equal(last(run, "all.area"), 0)
   check.at_most("force after the end", last(run, "grip.fy"), 1e-9)
   check.equal(run.cutbacks, 0)
+end)
+
+--- The corner of a soft block becomes a sharp edge, whose flanks do not touch each other.
+check.case("a sharp corner has no contact with itself", function()
+  local body = sg.body { patch = sg.shapes.rectangle { width = 1, height = 1 }, elements = { 2, 2 }, order = "N2",
+                         material = soft }
+  local model = sg.model { bodies = { body = body }, contacts = { all = { among = "all", penalty = 1000 } },
+                           supports = { bed = { on = body:face "south", fix = "xy" },
+                                        grip = { on = body:face "north", drive = "xy" } } }
+  local run = solved(model, { { name = "shear", steps = 10, grip = { 6, 0 } } })
+  for i, area in ipairs(run:column "all.area") do check.equal(area, 0, ("step %d"):format(i)) end
+end)
+
+--- A strip under a falling block: whatever the steps, nothing passes through anything.
+check.case("a step in which bodies pass through each other is cut", function()
+  local strip = sg.body { patch = sg.shapes.rectangle { width = 3, height = 0.1 }, elements = { 12, 1 }, order = "N2",
+                          material = soft }
+  local hammer = sg.body { patch = sg.shapes.rectangle { width = 0.4, height = 0.4, corner = { 1.3, 0.15 } },
+                           elements = { 2, 2 }, order = "N2", material = soft }
+  local model = sg.model { bodies = { strip = strip, hammer = hammer }, contacts = { all = { among = "all" } },
+                           supports = { ends = { on = { strip:face "west", strip:face "east" }, fix = "xy" },
+                                        grip = { on = hammer:face "north", drive = "xy" } } }
+  local run = solved(model, { { name = "fall", steps = 1, grip = { 0, -0.8 } } })
+  check.equal(run.cutbacks > 0, true)
+  check.equal(last(run, "grip.fy") < 0, true)
+  check.within("force on the strip", last(run, "all.hammer_strip.fy"), -last(run, "grip.fy"), 1e-8)
 end)
 
 -- ── Results ──────────────────────────────────────────────────────────────────────────────────────────────────────────
@@ -259,6 +335,16 @@ local function model(contact) return sg.model { bodies = { slab = slab }, contac
   { [[model { slave = slab:face "north", master = slab:face "north" }]], "same face", "write among" },
   { [[model { among = "every" }]], [[among must be a face, a list of faces, or "all"]], "every" },
   { [[model { among = { slab:face "north", slab:face "north" } }]], "contacts.c.among", "twice" },
+  { [[model { slave = slab:face "north", master = slab:face "south", except = {} }]], "except without among" },
+  { [[model { among = "all", except = { slab } }]], "contacts.c.except[1] must be", "write { A, B }" },
+  { [[model { among = "all", except = { { slab, slab, slab } } }]], "contacts.c.except[1] must be a list of 2" },
+  { [[model { among = "all", pairs = { p = { friction = { mu = 0.1 } } } }]], "contacts.c.pairs.p", "between" },
+  { [[model { among = slab:face "north", pairs = { p = { between = { slab:face "south", slab } } } }]],
+    "contacts.c.pairs.p.between names no two parts of the set" },
+  { [[model { among = "all", except = { { slab, sg.rigid.plane { point = { 0, 0 }, normal = { 0, 1 } } } } }]],
+    "contacts.c.except[1][2] is an obstacle that no support holds" },
+  { [[model { among = "all", adhesion = { hamaker = 1, r0 = 0.1 }, pairs = { p = { between = { slab, slab },
+      friction = { mu = 0.1 } } } }]], "pairs.p.friction", "adhesion" },
   { [[model { among = "all", method = "mortar" }]], [[among and method = "mortar"]], "at points" },
   { [[model { among = "all", enforcement = "multipliers" }]], "among and enforcement", "at points" },
   { [[model { among = "all", method = "half_passes", multipliers = "equal" }]], "among and multipliers" },
