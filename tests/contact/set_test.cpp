@@ -27,11 +27,11 @@ template <int D> struct Folded {
 
   Folded(nurbs::Discretization any, const std::vector<const char*>& sides, const Law& law, int points, double thickness,
          bool revolved = false)
-      : body(std::move(any)), pair(set_of<D>(body, sides),
-                                   Master<D>(set_of<D>(body, sides), 1.0,
-                                             {std::vector<int>(sides.size(), 0),
-                                              std::vector<double>(sides.size(), thickness)}),
-                                   law, points, revolved),
+      : body(std::move(any)),
+        pair(set_of<D>(body, sides),
+             Master<D>(set_of<D>(body, sides), 1.0,
+                       {std::vector<int>(sides.size(), 0), std::vector<double>(sides.size(), thickness)}),
+             law, points, revolved),
         u(VectorX::Zero(D * body.functions())) {}
 
   int die_dofs() const { return 0; }

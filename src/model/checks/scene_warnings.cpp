@@ -194,7 +194,8 @@ bool act_twice(const Contact<D>& a, const Contact<D>& b, const contact::Formulat
   if (master && *master == b.slave && b.master == decltype(b.master)(a.slave)) return true; // slave and master swapped
   if (const auto* other = std::get_if<Faces>(&b.master); master && other && (is_set(a) || is_set(b)))
     return std::ranges::any_of(a.slave, [&](const FaceReference& one) {
-      return std::ranges::any_of(*master, [&](const auto& face) { return may_touch(a, one, face) && may_touch(b, one, face); });
+      return std::ranges::any_of(*master,
+                                 [&](const auto& face) { return may_touch(a, one, face) && may_touch(b, one, face); });
     });
   const bool points = a.points == b.points;
   if (!(a.master == b.master) || !(points ? a.slave.meets(b.slave) : a.slave == b.slave)) return false;

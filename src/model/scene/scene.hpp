@@ -122,10 +122,10 @@ template <int D> struct Contact {
   int points; ///< Gauss points per slave element and direction
   contact::Region<D> where = {};
   contact::Start start = {};
-  contact::Region<D> bonded = {};          ///< of a cohesive contact
-  int other_pass = -1;                     ///< of a half pass: index of the contact with slave and master swapped
-  bool default_penalty = false;            ///< its penalty is from material and mesh
-  bool adaptive_points = false;            ///< see contact::ContactSetting::adaptive
+  contact::Region<D> bonded = {}; ///< of a cohesive contact
+  int other_pass = -1;            ///< of a half pass: index of the contact with slave and master swapped
+  bool default_penalty = false;   ///< its penalty is from material and mesh
+  bool adaptive_points = false;   ///< see contact::ContactSetting::adaptive
   /// Of a set, pairs of faces that do not touch each other, by place in the list, the lower one first
   std::vector<std::array<int, 2>> apart = {};
   contact::FormulationFactory<D> own = {}; ///< a user-defined formulation, in place of the method
