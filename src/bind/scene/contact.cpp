@@ -204,21 +204,31 @@ void push_merged(const Arguments& set, const Arguments& pair) {
 /// Adds an entry of `contacts` with among: its pairs with laws of their own, and the rest.
 template <int D> void add_sets(SceneBuilder<D>& builder, const Arguments& a, const std::string& name) {
   lua_State* L = a.state();
+  const bool all = a.is("among", LUA_TSTRING);
+  const model::Faces faces = all ? free_faces(builder.scene) : read_faces(builder, a, "among");
+  const int obstacles = all ? static_cast<int>(builder.obstacles.size()) : 0;
+  const auto read = [&](int index, const std::string& path) {
+    Pair pair = read_pair(builder, L, index, path);
+    const bool in_set = std::ranges::any_of(faces, [&](const model::FaceReference& face) {
+      bool found = std::ranges::any_of(faces, [&](const auto& other) { return is_pair(pair, face, other); });
+      for (int obstacle = 0; obstacle < obstacles; ++obstacle) found = found || is_pair(pair, face, obstacle);
+      return found;
+    });
+    require(in_set, path,
+            " names no two parts of the set: name bodies or faces that are in contact, or obstacles if among is "
+            "\"all\"");
+    return pair;
+  };
   Choice rest;
   if (a.has("except"))
-    a.list("except",
-           [&](int, int index, const std::string& path) { rest.except.push_back(read_pair(builder, L, index, path)); });
+    a.list("except", [&](int, int index, const std::string& path) { rest.except.push_back(read(index, path)); });
   if (a.has("pairs"))
     a.each("pairs", [&](const std::string& key, int index, const std::string& path) {
       const Arguments pair(L, index, path);
-      const Pair between = read_pair(builder, L, pair.push("between"), pair.name("between"));
+      const Pair between = read(pair.push("between"), pair.name("between"));
       lua_pop(L, 1);
       push_merged(a, pair);
-      const std::size_t before = builder.scene.contacts.size();
       add_set(builder, Arguments(L, lua_gettop(L), path), name, name + "." + key, Choice{rest.except, between});
-      require(
-          builder.scene.contacts.size() > before, pair.name("between"),
-          " names no two parts of the set: name bodies or faces that are in contact, or obstacles if among is \"all\"");
       lua_pop(L, 1);
       rest.except.push_back(between);
     });

@@ -25,8 +25,9 @@ bool admissible(const Lookout<D>& from, const FaceGeometry<D>& foot, const Vec<D
   if (faces && from.outward.dot(there) < 0 && apart.dot(there) >= 0) return true;
   // Not the point itself, of which a search may lead to the surroundings
   if (!faces && apart.norm() <= from.set->lengths[sheet]) return false;
-  // Through the body, as around a convex corner: β = ⟨−(X_s − X̄)·N̄⟩ + ⟨(X_s − X̄)·N_s⟩
-  const double through = std::max(-apart.dot(there), 0.0) + std::max(apart.dot(from.outward), 0.0);
+  // Through the body, as around a convex corner: β = ⟨−(X_s − X̄)·N̄⟩ + ⟨(X_s − X̄)·N_s⟩ ≤ 2 t
+  const double thin = std::min(from.set->thickness[sheet], from.set->thickness[from.sheet]);
+  const double through = std::min(std::max(-apart.dot(there), 0.0) + std::max(apart.dot(from.outward), 0.0), 2 * thin);
   return std::abs(gap) <= deepest_own * (apart.norm() - through);
 }
 

@@ -341,6 +341,8 @@ local function model(contact) return sg.model { bodies = { slab = slab }, contac
   { [[model { among = "all", pairs = { p = { friction = { mu = 0.1 } } } }]], "contacts.c.pairs.p", "between" },
   { [[model { among = slab:face "north", pairs = { p = { between = { slab:face "south", slab } } } }]],
     "contacts.c.pairs.p.between names no two parts of the set" },
+  { [[model { among = slab:face "north", except = { { slab:face "south", slab } } }]],
+    "contacts.c.except[1] names no two parts of the set" },
   { [[model { among = "all", except = { { slab, sg.rigid.plane { point = { 0, 0 }, normal = { 0, 1 } } } } }]],
     "contacts.c.except[1][2] is an obstacle that no support holds" },
   { [[model { among = "all", adhesion = { hamaker = 1, r0 = 0.1 }, pairs = { p = { between = { slab, slab },
