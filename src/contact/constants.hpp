@@ -128,6 +128,8 @@ inline constexpr double back_to_back = 0.5;
 /// Largest number of samples along a point's path through the master; bounds the cost where the gap is tiny compared
 /// with the path.
 inline constexpr int crossing_pieces = 256;
+/// Depth, in thicknesses, from which on a point of a set may have passed through a part.
+inline constexpr double crossing_depth = 0.25;
 
 // ── Bonds ────────────────────────────────────────────────────────────────────────────────────────────────────────────
 

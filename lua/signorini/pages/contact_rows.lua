@@ -217,7 +217,7 @@ function rows.conflict_of_faces(values)
     for _, key in ipairs { "penalty", "friction", "wear" } do
       for _, other in ipairs { "adhesion", key == "penalty" and "pressure" or nil } do
         if pair[key] and values[other] then
-          return ("pairs.%s.%s has no place beside the %s of the set: remove one of the two"):format(name, key, other)
+          return ("it has both pairs.%s.%s and %s: remove one of the two"):format(name, key, other)
         end
       end
     end

@@ -157,11 +157,11 @@ std::vector<int> crossed(const Formulation<D>& contact, const History<D>& presen
     const double touching = parameters.offset(i, present);
     const Vec<D>& before = accepted.results[i].position;
     const double moved = (result.position - before).norm() + master_moved;
-    Lookout<D> from = lookout(faces, points, i);
-    if (from.set) {
+    if (faces.master.set()) {
+      if (accepted.points[i].cleared > faces.travel) continue; // it has come nowhere since then
+      Lookout<D> from = lookout(faces, points, i);
       from.farthest = from.sight.reach = moved + std::max(touching, 0.0);
-      if (accepted.points[i].cleared <= faces.travel &&
-          has_passed_through(faces.accepted, faces.master, before, result.position, accepted.points[i].projection,
+      if (has_passed_through(faces.accepted, faces.master, before, result.position, accepted.points[i].projection,
                              point.projection, touches(result.state), std::min(0.0, touching), from))
         numbers.push_back(static_cast<int>(i));
       continue;
@@ -172,7 +172,7 @@ std::vector<int> crossed(const Formulation<D>& contact, const History<D>& presen
     if (moved <= 0 || least > moved) continue;
     const Vec<D> outward = normal_at(points, faces.slave, i);
     if (has_crossed(faces.accepted, faces.master, before, result.position, outward, point.projection,
-                    std::min(0.0, touching), from))
+                    std::min(0.0, touching)))
       numbers.push_back(static_cast<int>(i));
   }
   return numbers;

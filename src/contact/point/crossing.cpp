@@ -37,7 +37,7 @@ bool has_passed_through(const Master<D>& before, const Master<D>& now, const Vec
   now.locate(first, carried);
   const Vec<D> normal = now.normal(carried);
   const auto depth_of = [&](const FaceGeometry<D>& foot) {
-    return deepest_own * lookout.set->thickness[lookout.set->reference.sheet(foot.element)];
+    return crossing_depth * lookout.set->thickness[lookout.set->reference.sheet(foot.element)];
   };
   if ((to - carried.position).dot(normal) >= allowed - depth_of(carried)) return false;
   if (last.foot == Foot::regular) {

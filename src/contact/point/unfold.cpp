@@ -29,30 +29,29 @@ template <int D> Vec<D> place(const Surface<D>& surface, int element, const Face
 
 } // namespace
 
-std::vector<Kink<2>> kinks_between(const Surface<2>& surface, const FaceGeometry<2>& foot,
-                                   const FaceCoordinates<2>& slip) {
+template <int D>
+std::vector<Kink<D>> kinks_between(const Surface<D>& surface, const FaceGeometry<D>& foot,
+                                   const FaceCoordinates<D>& slip) {
+  if (D == 3) return {};
   const int target = surface.find_element(slip);
   if (target == foot.element) return {};
   struct Way {
     int element;
     bool at_end; ///< of the element, where it leads
-    std::vector<Kink<2>> kinks = {};
+    std::vector<Kink<D>> kinks = {};
   };
   Way ways[] = {{foot.element, false}, {foot.element, true}};
   for (int moves = 0; moves < surface.elements(); ++moves)
     for (Way& way : ways) {
       if (way.element < 0) continue;
-      const FaceCoordinates<2> xi(surface.interval(way.element, 0)[way.at_end]);
-      const Entry<2> beyond = across(surface, way.element, 0, way.at_end, xi);
+      FaceCoordinates<D> xi = FaceCoordinates<D>::Zero();
+      xi(0) = surface.interval(way.element, 0)[way.at_end];
+      const Entry<D> beyond = across(surface, way.element, 0, way.at_end, xi);
       if (beyond.element >= 0 && is_kink(surface, way.element, xi, beyond))
         way.kinks.push_back({{way.element, 0, way.at_end, xi}, beyond});
       way = {beyond.element, !beyond.at_end, std::move(way.kinks)};
       if (way.element == target) return std::move(way.kinks);
     }
-  return {};
-}
-
-std::vector<Kink<3>> kinks_between(const Surface<3>&, const FaceGeometry<3>&, const FaceCoordinates<3>&) {
   return {};
 }
 
@@ -71,19 +70,6 @@ double chords(const Surface<D>& surface, const std::vector<Kink<D>>& kinks, std:
   return length + (place(surface, surface.find_element(slip), slip) - from).norm();
 }
 
-/// s^α of a way of some length across the border of an element, normal to it.
-template <int D> FaceCoordinates<D> beyond(const Surface<D>& surface, const Entry<D>& border, double length) {
-  FaceGeometry<D> point;
-  surface.locate(border.element, border.xi, 1, point);
-  FaceCoordinates<D> way = FaceCoordinates<D>::Zero();
-  way(border.alpha) = border.at_end ? 1 : -1;
-  if constexpr (D == 3) {
-    const Vec<3>&across = point.tangent[border.alpha], &along = point.tangent[1 - border.alpha];
-    way(1 - border.alpha) = -way(border.alpha) * across.dot(along) / along.squaredNorm();
-  }
-  return length / direction_of<D>(way, point.tangent).norm() * way;
-}
-
 } // namespace
 
 template <int D>
@@ -93,13 +79,13 @@ void locate_slip(const Faces<D>& faces, const MasterPoint<D>& slip, const FaceGe
   if (kinks.empty()) return faces.master.locate(slip, point);
   const Entry<D>& border = kinks.front().near;
   const double length = chords(*accepted, kinks, 1, place(*accepted, border.element, border.xi), slip.xi);
-  const FaceCoordinates<D> way = beyond(*accepted, border, length);
+  FaceGeometry<D> before;
+  accepted->locate(border.element, border.xi, 1, before);
+  const double way = (border.at_end ? length : -length) / before.tangent[0].norm();
   faces.master.surface()->locate(border.element, border.xi, 1, point);
   faces.master.functions(point, 1);
-  point.position += direction_of<D>(way, point.tangent);
-  for (int alpha = 0; alpha < D - 1; ++alpha)
-    for (int a = 0; a < faces.master.functions_on(border.element); ++a)
-      point.value[a] += way(alpha) * point.derivative[alpha][a];
+  point.position += way * point.tangent[0];
+  for (int a = 0; a < faces.master.functions_on(border.element); ++a) point.value[a] += way * point.derivative[0][a];
 }
 
 template <int D> double way_to_corner(const Master<D>& master, const FaceGeometry<D>& foot, const Vec<D>& slip_point) {
@@ -118,6 +104,7 @@ template <int D> double way_length(const Master<D>& master, const FaceGeometry<D
 }
 
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \
+  template std::vector<Kink<D>> kinks_between(const Surface<D>&, const FaceGeometry<D>&, const FaceCoordinates<D>&);   \
   template void locate_slip(const Faces<D>&, const MasterPoint<D>&, const FaceGeometry<D>&, FacePoint<D>&);            \
   template double way_to_corner(const Master<D>&, const FaceGeometry<D>&, const Vec<D>&);                              \
   template double way_length(const Master<D>&, const FaceGeometry<D>&, const MasterPoint<D>&);

@@ -10,17 +10,16 @@ namespace signorini::contact {
 /// A place of a kink, on the side of the foot and on that of the slip point.
 template <int D> struct Kink { Entry<D> near, far; };
 
-/// The kinks on the way from a foot to a slip point, that next to the foot first: in the plane along the shorter way,
-/// in elements; in 3D one at most, where it is nearest to the slip point. Empty if the way is smooth, or there is none.
-std::vector<Kink<2>> kinks_between(const Surface<2>& surface, const FaceGeometry<2>& foot,
-                                   const FaceCoordinates<2>& slip);
-std::vector<Kink<3>> kinks_between(const Surface<3>& surface, const FaceGeometry<3>& foot,
-                                   const FaceCoordinates<3>& slip);
+/// The kinks of a curve on the way from a foot to a slip point, the shorter one in elements, that next to the foot
+/// first; empty if the way is smooth, or there is none. On surfaces none are looked for: the way is the chord.
+template <int D>
+std::vector<Kink<D>> kinks_between(const Surface<D>& surface, const FaceGeometry<D>& foot,
+                                   const FaceCoordinates<D>& slip);
 
 /// xᵐ(ξ_sl) with its functions, as seen from the foot: across kinks, on the linear extension of the foot's side beyond
 /// the kink next to it,
-///   x(ξ_k) + τ_α s^α,   |τ_α s^α| the length of the way from there to ξ_sl in the accepted state,
-/// across the kink, so that friction acts along the foot's side, and x̄ᵐ − x has the length of the way on either side.
+///   x(ξ_k) + τ s,   |τ s| the length of the way from there to ξ_sl in the accepted state,
+/// so that friction acts along the foot's side, and x̄ᵐ − x has the length of the way on either side.
 template <int D>
 void locate_slip(const Faces<D>& faces, const MasterPoint<D>& slip, const FaceGeometry<D>& foot, FacePoint<D>& point);
 
