@@ -233,5 +233,70 @@ TEST(Set, ContactOfRolledStripsIsThatOfTheirLayers) {
   EXPECT_GT(overlapping, 3);
 }
 
+/// The least distance of a point of a set from its admissible minima, among those that descents from all elements find.
+template <int D> double least_distance(const Surface<D>& set, const Vec<D>& x, const Lookout<D>& from, int starts) {
+  double least = std::numeric_limits<double>::infinity();
+  FaceGeometry<D> foot;
+  for (int e = 0; e < set.elements(); ++e)
+    for (int k = 0; k < (D == 2 ? starts : starts * starts); ++k) {
+      FaceCoordinates<D> xi;
+      for (int d = 0; d < D - 1; ++d) {
+        const auto [a, b] = set.interval(e, d);
+        xi(d) = a + (b - a) * ((d == 0 ? k % starts : k / starts) + 0.5) / starts;
+      }
+      walk(set, x, e, xi, foot);
+      const Vec<D> line = x - foot.position, normal = outward(set, foot).normalized();
+      const double gap = line.dot(normal);
+      const bool regular = line.norm() > 1e-9 && std::abs(std::abs(gap) - line.norm()) < 1e-12 * line.norm();
+      if (regular && admissible<D>(from, foot, normal, gap, false)) least = std::min(least, std::abs(gap));
+    }
+  return least;
+}
+
+/// Parts that a search leaves out have no foot that counts.
+template <int D> void compare_searches(Folded<D>& folded, int every, int& feet) {
+  folded.evaluate();
+  const auto& faces = folded.pair.formulation().faces();
+  const auto& points = folded.pair.formulation().points();
+  for (std::size_t i = 0; i < points.size(); i += static_cast<std::size_t>(every)) {
+    Lookout<D> from = lookout(faces, points, i);
+    from.sight.reach = std::numeric_limits<double>::infinity();
+    const Vec<D> x = position(points, faces.slave, i);
+    FaceGeometry<D> foot;
+    const Projection<D> found = faces.master.project(x, {}, foot, from);
+    const double least = least_distance(*faces.master.surface(), x, from, D == 2 ? 6 : 4);
+    if (std::isinf(least)) continue;
+    ++feet;
+    ASSERT_GE(found.element, 0) << i;
+    EXPECT_LE(std::abs(found.gap), least * (1 + 1e-9)) << i;
+  }
+}
+
+TEST(Set, SearchesFindTheNearestFootThatCounts) {
+  Random random(9);
+  int feet = 0, feet_of_solids = 0;
+  for (int trial = 0; trial < 6; ++trial) {
+    constexpr double thickness = 0.04;
+    const Roll roll(random, 14);
+    Folded<2> strip(discretize(nurbs::rectangle(1, thickness, Eigen::Vector2d(0, 0)), {40, 1}, "N2", "north"),
+                    {"south", "east", "north", "west"}, InterfaceLaw{100, 80}, 3, thickness);
+    strip.bend([&](const Vec<2>& X) { return roll.at(X(0), X(1) - thickness / 2); });
+    compare_searches(strip, 1, feet);
+    const double size = uniform(random, 0.2, 0.6);
+    Folded<3> plate(discretize(nurbs::block({10, 2, 0.2}, Eigen::Vector3d(0, 0, 0)), {10, 3, 1}, "N2", "back"),
+                    {"south", "east", "north", "west", "front", "back"}, InterfaceLaw{100, 80}, 2, 0.2);
+    plate.bend([&](const Vec<3>& X) -> Vec<3> {
+      const double t = 2 * std::numbers::pi * (0.03 + 0.94 * X(0) / 10), a = 1.6, b = size;
+      const Vec<2> out = Vec<2>(b * std::cos(t), a * std::sin(t)).normalized();
+      const Vec<2> at = Vec<2>(a * std::cos(t), b * std::sin(t)) - (X(2) - 0.1) * out;
+      return {at(0), X(1) + 0.3 * at(0), at(1)};
+    });
+    plate.shake(random, 0.02);
+    compare_searches(plate, 17, feet_of_solids);
+  }
+  EXPECT_GT(feet, 100);
+  EXPECT_GT(feet_of_solids, 30);
+}
+
 } // namespace set_test
 } // namespace signorini::contact

@@ -163,6 +163,7 @@ Projection<2> project(const Surface<2>& surface, const ElementBoxes<2>& boxes, c
       x, from.sight, [&] { return nearest * (1 - same_distance); },
       [&](int e) {
         if (settled && smoothly_adjacent(surface, home, e)) return;
+        if (from.set && boxes.is_behind(surface, e, x, deepest_part * from.set->thickness[surface.sheet(e)])) return;
         each_start(surface, x, e, [&](double start) {
           const Foot foot = walk(surface, x, e, start, candidate);
           const double distance2 = (x - candidate.position).squaredNorm();

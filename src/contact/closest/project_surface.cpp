@@ -353,6 +353,7 @@ Projection<3> project(const Surface<3>& surface, const ElementBoxes<3>& boxes, c
   const auto within = [&] { return nearest * (1 - same_distance); };
   boxes.near(x, from.sight, within, [&](int e) {
     if (settled && smoothly_adjacent(surface, home, e)) return;
+    if (from.set && boxes.is_behind(surface, e, x, deepest_part * from.set->thickness[surface.sheet(e)])) return;
     // The plane through the point found, normal to the line to it, separates x from an element that lies behind it.
     if (found) {
       const Vec<3> line = point.position - x;

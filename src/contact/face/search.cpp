@@ -40,11 +40,15 @@ template <int D> double least_ambiguous2(const DerivativeBounds<D>& bounds) {
   return distance * distance;
 }
 
-/// True if a border of an element is smooth or an open end: not a kink, a pole or a seam.
-template <int D> bool is_plain_border(const Surface<D>& surface, int element, int alpha, bool at_end) {
-  if (surface.neighbor(element, alpha, at_end) < 0)
-    return surface.sheet_data(surface.sheet(element)).extension.lengths[alpha][at_end] > 0;
-  return surface.along(element, alpha).smoothness()[surface.index(element, alpha) + at_end] > 0;
+template <int D> bool is_open_end(const Surface<D>& surface, int element, int alpha, bool at_end) {
+  return surface.neighbor(element, alpha, at_end) < 0 &&
+         surface.sheet_data(surface.sheet(element)).extension.lengths[alpha][at_end] > 0;
+}
+
+/// True if a border of an element is not a kink, a pole, a seam or an end.
+template <int D> bool is_smooth_border(const Surface<D>& surface, int element, int alpha, bool at_end) {
+  return surface.neighbor(element, alpha, at_end) >= 0 &&
+         surface.along(element, alpha).smoothness()[surface.index(element, alpha) + at_end] > 0;
 }
 
 /// Indices of an element in its sheet.
@@ -90,18 +94,23 @@ template <int D> void ElementBoxes<D>::find_unique_distances(const Surface<D>& s
 /// Where (x − x(ξ))·τ_α > 0 on all elements of a node, x(ξ) and τ_α in their boxes, the distance decreases along ξ^α up
 /// to their last border. If that is an open end or smooth, the closest point of the face is at the end or on other
 /// elements. For the other sign the same holds for their first border [theory 5.10].
-template <int D> bool ElementBoxes<D>::may_have_foot(int index, const Vec<D>& x, const Sight<D>& sight) const {
-  const Node& node = nodes_[index];
-  if (sight.body >= 0 && !sees(index, sight, node.box.distance2(x))) return false;
+template <int D> bool ElementBoxes<D>::falls_beyond(const Node& node, const Borders& ends, const Vec<D>& x) {
   const Vec<D> first = x - node.box.upper, last = x - node.box.lower;
   for (std::size_t alpha = 0; alpha < D - 1; ++alpha) {
+    if (!ends[alpha][0] && !ends[alpha][1]) continue;
     const Box& tangent = node.tangents[alpha];
     const Vec<D> a = first.cwiseProduct(tangent.lower), b = first.cwiseProduct(tangent.upper);
     const Vec<D> c = last.cwiseProduct(tangent.lower), d = last.cwiseProduct(tangent.upper);
-    if (node.plain[alpha][1] && a.cwiseMin(b).cwiseMin(c).cwiseMin(d).sum() > 0) return false;
-    if (node.plain[alpha][0] && a.cwiseMax(b).cwiseMax(c).cwiseMax(d).sum() < 0) return false;
+    if (ends[alpha][1] && a.cwiseMin(b).cwiseMin(c).cwiseMin(d).sum() > 0) return true;
+    if (ends[alpha][0] && a.cwiseMax(b).cwiseMax(c).cwiseMax(d).sum() < 0) return true;
   }
-  return node.element >= 0 || may_have_foot(index + 1, x, sight) || may_have_foot(node.second, x, sight);
+  return false;
+}
+
+template <int D> bool ElementBoxes<D>::may_have_foot(int index, const Vec<D>& x) const {
+  const Node& node = nodes_[index];
+  if (falls_beyond(node, node.plain, x)) return false;
+  return node.element >= 0 || may_have_foot(index + 1, x) || may_have_foot(node.second, x);
 }
 
 template <int D> void ElementBoxes<D>::update(const Surface<D>& surface) {
@@ -182,6 +191,17 @@ double ElementBoxes<D>::distance_in_sight(const Vec<D>& x, const Sight<D>& sight
   return std::sqrt(least2);
 }
 
+/// At a foot x − x̄ = g n̄; if (x − x(ξ))·a < −depth all over the element, a the axis of a cone of normals that is
+/// narrower than a half space, g < 0 and |g| ≥ |(x − x̄)·a| > depth [theory 8.4].
+template <int D>
+bool ElementBoxes<D>::is_behind(const Surface<D>& surface, int element, const Vec<D>& x, double depth) const {
+  const Facing& facing = facing_[leaves_[element]];
+  if (!(facing.cone.half < NormalCone<D>::pi / 2)) return false;
+  for (const auto& ends : nodes_[leaves_[element]].smooth)
+    if (!ends[0] || !ends[1]) return false;
+  return least_along<D>(surface.bezier(element), facing.cone.axis) > x.dot(facing.cone.axis) + depth;
+}
+
 // ── Tree ─────────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 /// Builds the tree of sheets first … last − 1.
@@ -193,7 +213,6 @@ template <int D> void ElementBoxes<D>::build_sheets(const Surface<D>& surface, i
   }
   const std::size_t index = nodes_.size();
   nodes_.emplace_back();
-  for (auto& ends : nodes_[index].plain) ends = {false, false};
   build_sheets(surface, first, (first + last) / 2);
   nodes_[index].second = std::ssize(nodes_);
   build_sheets(surface, (first + last) / 2, last);
@@ -208,9 +227,12 @@ void ElementBoxes<D>::build(const Surface<D>& surface, int sheet, std::array<int
   if (u == 1 && v == 1) {
     const int element = surface.first_element(sheet) + first[0] + surface.direction(0, sheet).elements() * first[1];
     nodes_[index].element = element;
-    for (std::size_t a = 0; a < D - 1; ++a)
-      for (const bool at_end : {false, true})
-        nodes_[index].plain[a][at_end] = is_plain_border(surface, element, static_cast<int>(a), at_end);
+    for (int a = 0; a < D - 1; ++a)
+      for (const bool at_end : {false, true}) {
+        Node& leaf = nodes_[index];
+        leaf.smooth[a][at_end] = is_smooth_border(surface, element, a, at_end);
+        leaf.plain[a][at_end] = leaf.smooth[a][at_end] || is_open_end(surface, element, a, at_end);
+      }
     leaves_[element] = static_cast<int>(index);
     return;
   }
@@ -221,10 +243,11 @@ void ElementBoxes<D>::build(const Surface<D>& surface, int sheet, std::array<int
   nodes_[index].second = std::ssize(nodes_);
   build(surface, sheet, start, last);
   const Node &a = nodes_[index + 1], &b = nodes_[nodes_[index].second];
-  for (std::size_t k = 0; k < D - 1; ++k) {
-    nodes_[index].plain[k][0] = a.plain[k][0] && (k == d || b.plain[k][0]);
-    nodes_[index].plain[k][1] = b.plain[k][1] && (k == d || a.plain[k][1]);
-  }
+  for (const auto borders : {&Node::smooth, &Node::plain})
+    for (std::size_t k = 0; k < D - 1; ++k) {
+      (nodes_[index].*borders)[k][0] = (a.*borders)[k][0] && (k == d || (b.*borders)[k][0]);
+      (nodes_[index].*borders)[k][1] = (b.*borders)[k][1] && (k == d || (a.*borders)[k][1]);
+    }
 }
 
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \

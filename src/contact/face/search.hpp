@@ -43,9 +43,7 @@ public:
   double unique_distance2(int element) const { return unique_distance2_[element]; }
   /// True only if no line from x is normal to the face, so that the closest point is an open end. False where it may be
   /// at a kink, a pole or a seam.
-  bool is_beyond_ends(const Vec<D>& x, const Sight<D>& sight = {}) const {
-    return !nodes_.empty() && !may_have_foot(0, x, sight);
-  }
+  bool is_beyond_ends(const Vec<D>& x) const { return !nodes_.empty() && !may_have_foot(0, x); }
 
   /// Calls visit(element) for the elements whose boxes are nearer to x than `distance2()` (a squared distance,
   /// evaluated again before every visit), boxes near x first, without those that a point with this sight cannot see.
@@ -53,6 +51,9 @@ public:
   void near(const Vec<D>& x, const Sight<D>& sight, Distance2 distance2, Visit visit) const {
     if (!nodes_.empty()) descend(0, nodes_[0].box.distance2(x), x, sight, distance2, visit);
   }
+  /// True only if x is farther than `depth` behind every point of an element of a set at which the line to x is normal
+  /// to the face, and the distance has no other minima there.
+  bool is_behind(const Surface<D>& surface, int element, const Vec<D>& x, double depth) const;
   /// A lower bound, at most `longest`, of the distance from x to the elements of its own body that a point sees before
   /// normals have turned by `turning_margin`.
   double distance_in_sight(const Vec<D>& x, const Sight<D>& sight, double longest) const;
@@ -66,12 +67,14 @@ private:
     double distance2(const Vec<D>& x) const { return (lower - x).cwiseMax(x - upper).cwiseMax(0.0).squaredNorm(); }
     Box joined(const Box& other) const { return {lower.cwiseMin(other.lower), upper.cwiseMax(other.upper)}; }
   };
+  /// What holds of the borders of a part, per direction and end.
+  using Borders = std::array<std::array<bool, 2>, D - 1>;
   /// The first child follows its parent directly.
   struct Node {
     int element = -1; ///< of a leaf; −1 otherwise
     int second = -1;  ///< index of the second child
-    /// True per direction and end if all its borders there are smooth or open ends: not a kink, a pole or a seam.
-    std::array<std::array<bool, 2>, D - 1> plain;
+    Borders smooth{}; ///< all of them are smooth: not a kink, a pole, a seam or an open end
+    Borders plain{};  ///< all of them are smooth or open ends
     Box box;
     std::array<Box, D - 1> tangents; ///< around τ_α
   };
@@ -91,7 +94,9 @@ private:
   }
   void update_cones(const Surface<D>& surface);
   void find_unique_distances(const Surface<D>& surface);
-  bool may_have_foot(int index, const Vec<D>& x, const Sight<D>& sight) const;
+  /// True only if the distance from x decreases all over a node up to a border that `ends` allow.
+  static bool falls_beyond(const Node& node, const Borders& ends, const Vec<D>& x);
+  bool may_have_foot(int index, const Vec<D>& x) const;
   void build_sheets(const Surface<D>& surface, int first, int last);
   void build(const Surface<D>& surface, int sheet, std::array<int, 2> first, std::array<int, 2> last);
 
@@ -100,6 +105,7 @@ private:
                Visit& visit) const {
     if (own >= distance2() || !sees(index, sight, own)) return;
     const Node& node = nodes_[index];
+    if (sight.body >= 0 && falls_beyond(node, node.smooth, x)) return;
     if (node.element >= 0) return visit(node.element);
     int near = index + 1, far = node.second;
     double to_near = nodes_[near].box.distance2(x), to_far = nodes_[far].box.distance2(x);

@@ -50,7 +50,7 @@ public:
     return boxes_.distance_in_sight(x, sight, std::min(longest, set_->size));
   }
   /// True only if project() would find an open end; a quick test, which many points beyond an end pass.
-  bool is_beyond_ends(const Vec<D>& x, const Sight<D>& sight = {}) const { return boxes_.is_beyond_ends(x, sight); }
+  bool is_beyond_ends(const Vec<D>& x) const { return boxes_.is_beyond_ends(x); }
   /// Outward unit normal at a closest point other than a corner.
   Vec<D> normal(const FaceGeometry<D>& point) const;
   /// Factor on the traction at a closest point, below 1 beyond an open end; `rate` receives its derivatives.

@@ -6,7 +6,7 @@ template <int D>
 bool find_foot(const Master<D>& master, PointHistory<D>& point, PointResult<D>& result, FacePoint<D>& foot,
                const Lookout<D>& from) {
   foot.settled = true;
-  result.beyond = master.is_beyond_ends(result.position, from.sight);
+  result.beyond = !from.set && master.is_beyond_ends(result.position);
   if (result.beyond)
     point.projection.foot = Foot::none; // the start of a later search stays
   else

@@ -115,15 +115,29 @@ template <int D> bool StepProblem<D>::solve(VectorX& b, bool fully) {
   return model.linear.solve(b, fully) && b.allFinite();
 }
 
-template <int D> solve::Outcome check_crossing(Model<D>& model, Message& why) {
+namespace {
+
+template <int D> solve::Outcome check_crossing(Model<D>& model, bool only_sets, Message& why) {
   ScopedTimer timer(model.timings.contact);
   const auto& contacts = model.system.contacts;
-  for (std::size_t k = 0; k < contacts.size(); ++k)
-    if (!crossed(*contacts[k], model.present.contacts[k], model.accepted.contacts[k]).empty()) {
-      why = Message("model.step.crossed", {{"contact", model.system.scene.contacts[k].name}});
-      return solve::Outcome::crossed;
-    }
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    const contact::Formulation<D>& contact = *contacts[k];
+    if (only_sets && !contact.faces().master.set()) continue;
+    if (crossed(contact, model.present.contacts[k], model.accepted.contacts[k]).empty()) continue;
+    why = Message("model.step.crossed", {{"contact", model.system.scene.contacts[k].name}});
+    return solve::Outcome::crossed;
+  }
   return solve::Outcome::converged;
+}
+
+} // namespace
+
+template <int D> solve::Outcome check_crossing(Model<D>& model, Message& why) {
+  return check_crossing(model, false, why);
+}
+
+template <int D> solve::Outcome check_start(Model<D>& model, Message& why) {
+  return check_crossing(model, true, why);
 }
 
 template <int D> double contact_norm(const Model<D>& model) {
@@ -202,6 +216,7 @@ template <int D> void begin_contacts(Model<D>& model, const ActiveSetOptions& op
   template bool contact_acts(const Model<D>&, double);                                                                 \
   template bool is_deformed(const Model<D>&);                                                                          \
   template solve::Outcome check_crossing(Model<D>&, Message&);                                                         \
+  template solve::Outcome check_start(Model<D>&, Message&);                                                            \
   template void begin_contacts(Model<D>&, const ActiveSetOptions&);
 SIGNORINI_INSTANTIATE(2)
 SIGNORINI_INSTANTIATE(3)

@@ -50,6 +50,10 @@ template <int D> bool is_deformed(const Model<D>& model);
 /// `crossed` if points of a contact have passed through the master since the accepted state, with the contact's name in
 /// `why`, otherwise `converged`. Such an equilibrium is not on the path: contact was not detected where it acts.
 template <int D> solve::Outcome check_crossing(Model<D>& model, Message& why);
+/// The same of sets of faces, in the state into which prescribed displacements have moved the bodies. A wall that
+/// points have passed does not push them back, so that the iterations to come would not find the path again
+/// [theory 5.11].
+template <int D> solve::Outcome check_start(Model<D>& model, Message& why);
 
 /// Starts the active set of a step.
 template <int D> void begin_contacts(Model<D>& model, const ActiveSetOptions& options);

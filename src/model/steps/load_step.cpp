@@ -106,6 +106,8 @@ template <int D> solve::Outcome LoadStep<D>::evaluate(bool tangent, Message& why
     outcome = model::evaluate(model, {.tangent = tangent, .corrects = true}, why);
     if (outcome != solve::Outcome::converged) return outcome;
   }
+  if (step_.pending && step_.report.iterations == 1)
+    if (outcome = check_start(model, why); outcome != solve::Outcome::converged) return outcome;
   // With pseudo-time damping, which changes, repeated states do not imply a cycle.
   if (const int period = step_.pseudo_damping() == 0 ? set.period() : 0; period > 0) {
     why = Message("model.step.cycling", {{"period", period}});

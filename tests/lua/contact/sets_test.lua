@@ -282,8 +282,44 @@ check.case("a step in which bodies pass through each other is cut", function()
                                         grip = { on = hammer:face "north", drive = "xy" } } }
   local run = solved(model, { { name = "fall", steps = 1, grip = { 0, -0.8 } } })
   check.equal(run.cutbacks > 0, true)
+  local crossed = 0
+  for _, attempt in ipairs(run:attempts(1)) do
+    if attempt.reason == "crossed" then
+      crossed = crossed + 1
+      check.equal(#attempt.residuals, 1) -- after the solution that applies the displacements
+    end
+  end
+  check.equal(crossed > 0, true)
   check.equal(last(run, "grip.fy") < 0, true)
   check.within("force on the strip", last(run, "all.hammer_strip.fy"), -last(run, "grip.fy"), 1e-8)
+end)
+
+--- A coil whose layers overlap by half of the thickness, or lie apart.
+check.case("shapes that overlap themselves", function()
+  local function coil(pitch)
+    local function spiral(radius)
+      local points = {}
+      for i = 0, 20 do
+        local angle = math.rad(30 * i)
+        local r = radius + pitch * i / 12
+        points[#points + 1] = { r * math.cos(angle), r * math.sin(angle) }
+      end
+      return points
+    end
+    local knots = { 0, 0, 0 }
+    for i = 1, 18 do knots[#knots + 1] = i / 19 end
+    for _ = 1, 3 do knots[#knots + 1] = 1 end
+    local function curve(radius) return sg.nurbs.curve { degree = 2, knots = knots, points = spiral(radius) } end
+    local body = sg.body { patch = sg.nurbs.ruled { a = curve(3.2), b = curve(3) }, elements = { 19, 1 }, order = "N2",
+                           material = soft }
+    return sg.model { bodies = { coil = body }, supports = { bed = { on = body:face "west", fix = "xy" } },
+                      contacts = { all = { among = "all" } } }
+  end
+  local apart, overlapping = coil(0.4), coil(0.1)
+  check.equal(apart:warnings(), {})
+  check.equal(#overlapping:warnings(), 1)
+  check.holds(overlapping:warnings()[1], "of body 'coil' lies 0.12", "overlaps itself before the first step", "contacts.all")
+  for _, model in ipairs { apart, overlapping } do check.equal(model:contact_resultant "all".active, 0) end
 end)
 
 -- ── Results ──────────────────────────────────────────────────────────────────────────────────────────────────────────
