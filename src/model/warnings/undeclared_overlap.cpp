@@ -215,9 +215,38 @@ void warn_of_overlaps(const Model<D>& model, const PresentOutlines<D>& outlines,
   }
 }
 
+template <int D> void warn_of_folded_shapes(const Model<D>& model, std::vector<Message>& warnings) {
+  const Scene<D>& scene = model.system.scene;
+  const auto set_on = [&](int body) {
+    return std::ranges::find_if(scene.contacts,
+                                [&](const Contact<D>& contact) { return is_set(contact) && contact.slave.on(body); });
+  };
+  if (std::ranges::none_of(scene.contacts, is_set<D>)) return;
+  const PresentOutlines<D> outlines(model);
+  for (int b = 0; b < outlines.bodies(); ++b) {
+    const auto set = set_on(b);
+    if (set == scene.contacts.end()) continue;
+    std::optional<Overlapping<D>> deepest;
+    for (std::size_t i = 0; i < outlines[b].facets().size(); i += Outline<D>::stride) {
+      const Facet<D>& facet = outlines[b].facets()[i];
+      if (!is_examined(outlines, b, facet)) continue;
+      const auto found = overlapping(outlines, b, facet, b);
+      if (found && (!deepest || found->depth > deepest->depth)) deepest = found;
+    }
+    if (!deepest) continue;
+    warnings.push_back(Message("model.warning.folded_shape", {{"contact", set->name},
+                                                              {"face", face_message(scene, deepest->face)},
+                                                              {"behind", face_message(scene, deepest->behind)},
+                                                              {"depth", deepest->depth},
+                                                              {"at", deepest->position}}));
+  }
+}
+
 template class PresentOutlines<2>;
 template class PresentOutlines<3>;
 template void warn_of_overlaps<2>(const Model<2>&, const PresentOutlines<2>&, std::vector<Message>&);
 template void warn_of_overlaps<3>(const Model<3>&, const PresentOutlines<3>&, std::vector<Message>&);
+template void warn_of_folded_shapes<2>(const Model<2>&, std::vector<Message>&);
+template void warn_of_folded_shapes<3>(const Model<3>&, std::vector<Message>&);
 
 } // namespace signorini::model

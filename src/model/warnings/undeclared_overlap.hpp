@@ -69,4 +69,8 @@ template <int D, class Declares> DeclaredContacts declared_contacts(const Model<
 template <int D>
 void warn_of_overlaps(const Model<D>& model, const PresentOutlines<D>& outlines, std::vector<Message>& warnings);
 
+/// Appends a warning for each body that overlaps itself in the shape in which it starts, if a set of faces is in
+/// contact with itself there: it takes what lies behind its own faces for the back of a wall [theory 8.4].
+template <int D> void warn_of_folded_shapes(const Model<D>& model, std::vector<Message>& warnings);
+
 } // namespace signorini::model
