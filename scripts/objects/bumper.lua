@@ -1,59 +1,34 @@
 -- A jounce bumper of rubber is compressed by half: its grooves close, and its bore folds.
 --
--- Problem: axisymmetric; a hollow cylinder, 60 mm high, outer radius 30 mm, with two grooves, 8 mm deep and 12 mm wide,
---          in its outer face. The bore has a radius of 10 mm at its ends and 14 mm in the middle, where it folds. Neo-
---          Hookean rubber, c10 = 0.752 MPa, nearly incompressible (K = 400 MPa). A plate presses it onto another one
---          with friction; outer face and bore may touch themselves and each other (among), without friction.
+-- Problem: sg.scenes.bumper, axisymmetric; a hollow cylinder, 60 mm high, outer radius 30 mm, with two grooves, 8 mm
+--          deep and 12 mm wide, in its outer face. The bore has a radius of 10 mm at its ends and 14 mm in the middle,
+--          where it folds. Neo-Hookean rubber, c10 = 0.752 MPa, nearly incompressible (K = 400 MPa). A plate presses
+--          it onto another one with friction; outer face and bore may touch themselves and each other (among), without
+--          friction.
 -- Source: a shape such as those of car suspensions; there is no closed form. The rounded corners of the grooves are
 --         those of quadratic B-splines in their control polygons.
 -- Units: mm, N, MPa.
 -- Expected: forces with and without self-contact are equal until the bore touches itself, above 20 %; then the force
 --           with it rises ever faster, and without it falls while the bumper passes through itself. The work is that
 --           of strain energy, friction and penalty within 0.5 %.
--- Run: signorini objects/bumper.lua [elements=48] [order=N2] [mu=0.3] [most=0.5] [steps=30] [out=out/bumper];
---      elements: along the bore and the outer face, 8 or a multiple of it; mu: on the plates
+-- Run: signorini objects/bumper.lua [refinement=2] [order=N2] [mu=0.3] [most=0.5] [steps=30]
+--      [out=out/bumper]; refinement: factor on 24 × 3 elements; mu: on the plates
 
 local sg = require "signorini"
 
-local options = sg.arguments{ elements = { 48, at_least = 24 }, order = "N2", mu = { 0.3, above = 0 },
+local options = sg.arguments{ refinement = 2, order = "N2", mu = { 0.3, at_least = 0 },
                               most = { 0.5, above = 0.01, at_most = 0.55 }, steps = { 30, at_least = 4 },
                               out = "out/bumper" }
 local files = sg.files(options.out)
-local height = 60
-
---- A quadratic curve with the symmetric control polygon whose lower half is given.
-local function curve(lower)
-  local points, knots = table.move(lower, 1, #lower, 1, {}), { 0, 0 }
-  for i = #lower, 1, -1 do points[#points + 1] = { lower[i][1], height - lower[i][2] } end
-  for i = 0, #points - 2 do knots[#knots + 1] = i / (#points - 2) end
-  return sg.nurbs.curve{ degree = 2, knots = table.move({ 1, 1 }, 1, 2, #knots + 1, knots), points = points }
-end
-local outer = curve{ { 30, 0 }, { 30, 12 }, { 22, 14 }, { 22, 22 }, { 30, 24 } }
-local bore = curve{ { 10, 0 }, { 10, 6.5 }, { 10, 11.5 }, { 12, 24.5 }, { 14, 27.5 } }
-
-local function scene(folds)
-  local bumper = sg.body{ patch = sg.nurbs.ruled{ a = outer, b = bore }, order = options.order,
-                          elements = { options.elements, options.elements // 8 }, volumetric = "projected",
-                          material = sg.yeoh{ c10 = 0.752, K = 400 } }
-  local outside, inside = bumper:face "south", bumper:face "north"
-  local plate = sg.rigid.plane{ point = { 0, height }, normal = { 0, -1 } }
-  local bed = sg.rigid.plane{ point = { 0, 0 }, normal = { 0, 1 } }
-  local function pressed(end_face, master)
-    return { slave = { outside, bumper:face(end_face), inside }, master = master, friction = { mu = options.mu } }
-  end
-  return sg.model{
-    kind = "axisymmetric", bodies = { bumper = bumper },
-    supports = { plate = { on = plate, drive = "y", fix = "x" }, bed = { on = bed, fix = "xy" } },
-    contacts = { top = pressed("east", plate), bottom = pressed("west", bed),
-                 folds = folds and { among = { outside, inside } } or nil },
-  }
-end
+local height = 60 -- of the scene
 
 --- Compresses the bumper: its model and run, compressions in percent, forces in kN.
-local function compressed(folds)
-  local model, steps = scene(folds), options.steps
-  local run = model:run({ { name = "press", steps = steps, plate = -options.most * height } },
-                        { states = { 0, steps // 2, steps } })
+local function compressed(self_contact)
+  local model, path = sg.scenes.bumper{ refinement = options.refinement, order = options.order, mu = options.mu,
+                                        depth = options.most * height, self_contact = self_contact }
+  local steps = options.steps
+  path[1].steps = steps
+  local run = model:run(path, { states = { 0, steps // 2, steps } })
   if run.failed then error(run.failure, 0) end
   local r = { model = model, run = run, compression = run:column "plate.uy", force = run:column "plate.fy" }
   for i, u in ipairs(r.compression) do

@@ -11,7 +11,9 @@ local function refinement(of)
   return { "refinement", t.integer(1, 64), "factor on the number of elements " .. (of or "in each direction"),
            default = 1 }
 end
-local function mu(default) return { "mu", t.non_negative, "Coulomb's coefficient of friction", default = default } end
+local function mu(default, of)
+  return { "mu", t.non_negative, "Coulomb's coefficient of friction" .. (of or ""), default = default }
+end
 
 --- A page with its source as the last line. closed_form: names of the numbers of its third result, if it has one.
 local function scene(page)
@@ -77,6 +79,19 @@ sharp edges of the block plow through the slab.]],
     example = [[
 m, path = sg.scenes.block{ depth = 0.5, distance = 0.5 }
 m:run(path)]] },
+  scene { "sg.scenes.bumper", [[Returns an axisymmetric model of a jounce bumper of rubber between two plates, and the
+path that compresses it: its grooves close and its bore folds, so that it touches itself.]],
+    named = { order "N2", refinement(), mu(0.3, " of the plates"),
+              { "depth", t.range(0.6, 33), "by which it is compressed, in steps of 1 mm", unit = "mm", default = 24 },
+              { "self_contact", t.flag, "false: it passes through itself", default = true } },
+    more = [[
+Body bumper (radii 10 and 30 mm, 60 mm high; c10 = 0.752 MPa, K = 400 MPa), supports plate and bed, contacts top, bottom
+and folds (among). The bore touches itself from 12 mm on, the flanks of the grooves from 21 mm on.]],
+    source = "Source: a shape such as those of car suspensions; the supplied script bumper.lua.",
+    example = [[
+m, path = sg.scenes.bumper{ depth = 18 }
+run = m:run(path)
+print(run:column "folds.area"[run.steps], -m:reaction "plate"[2])]] },
   scene { "sg.scenes.peeling", [[Returns a plane model of a strip that adheres to a rigid plane by van der Waals forces,
 the path that rotates its end and so peels it, and { moment, work }: the moment of steady peeling of a thin strip and
 the work of adhesion.]],

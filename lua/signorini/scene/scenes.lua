@@ -4,7 +4,7 @@
 
 local scenes = {}
 
-for _, name in ipairs { "block", "hertz", "ironing", "patch_test", "peeling", "rings" } do
+for _, name in ipairs { "block", "bumper", "hertz", "ironing", "patch_test", "peeling", "rings" } do
   scenes[name] = function(o) return require("signorini.scene.scenes." .. name)(o) end
 end
 

@@ -65,6 +65,16 @@ check.case("block: the force of the published 3D scene, N2 on a finer mesh: 5.72
   check.within_share("bed", -m:reaction "bed"[3], m:reaction "grip"[3], 1e-6)
 end)
 
+check.case("bumper: self-contact carries load once the bore touches itself, and energies balance", function()
+  local m, run = solved("bumper", { order = "N2" })
+  local _, without = solved("bumper", { depth = 11, self_contact = false })
+  check.within_share("before the contact", without:column "plate.fy"[11], run:column "plate.fy"[11], 1e-6)
+  check.equal(run:column "folds.area"[11], 0)
+  assert(run:column "folds.area"[24] > 1500)
+  local energy = m:energy()
+  check.within_share("work", energy.stored + energy.contact + energy.friction, energy.work + energy.area_growth, 0.002)
+end)
+
 check.case("peeling: the moment of steady peeling from the energy balance", function()
   local _, run, steady = solved "peeling"
   local angle, moment = run:column "edge.angle", run:column "edge.moment"
@@ -95,7 +105,7 @@ check.case("refinement multiplies the elements, order is that of all bodies, pat
 end)
 
 check.case("print(sg.scenes) lists them, and help has a page on each", function()
-  check.holds(tostring(sg.scenes), "block, hertz, ironing, patch_test, peeling, rings")
+  check.holds(tostring(sg.scenes), "block, bumper, hertz, ironing, patch_test, peeling, rings")
   local output = check.program({}, "?sg.scenes\n?sg.scenes.peeling.bonded\nhelp 'scenes'\n?ironing\n")
   check.holds(output, 'sg.scenes.ironing{ order = "N2-N2.2"', "Argument of sg.scenes.peeling\nbonded: ",
     "Ready scenes:")
@@ -108,6 +118,7 @@ check.case("wrong calls name the argument at the user's line", function()
     ["sg.scenes.ironing{ mu = -0.1 }"] = "sg.scenes.ironing: mu must be",
     ["sg.scenes.ironing{ order = 'N9x' }"] = "N9x",
     ["sg.scenes.patch_test{ method = 'gtps' }"] = "did you mean 'gpts'?",
+    ["sg.scenes.bumper{ depth = 40 }"] = "sg.scenes.bumper: depth must be",
     ["sg.scenes.block('N2')"] = "sg.scenes.block",
   } do
     check.ended({ check.program({}, code .. "\n") }, 1, message)
