@@ -150,8 +150,19 @@ check.case("rolled strip: the moment of an arc, then a coil that touches itself 
   check.within("action and reaction", strip.imbalance, 0, 1e-8)
 end)
 
+check.case("boot seal: folds touch each other and the shaft that tilts; the force of an axisymmetric model", function()
+  local seal = results("boot_seal", "meshes=1", "steps=5")
+  local press, last = seal.press, #seal.moment
+  check.within_share("axisymmetric", seal.force[press], seal.revolved[press], 0.02)
+  check.within_share("moment of small tilts", seal.moment[press + 2], 2 * seal.moment[press + 1], 0.02)
+  check.within("moment without a tilt", seal.moment[press], 0, 1e-5 * seal.moment[last])
+  assert(seal.area[last] > 3 and seal.bore[last] > 3 and seal.moment[last] > 7 * seal.moment[press + 1])
+  check.within("balance", seal.balance, 1, 0.01)
+end)
+
 check.case("wrong arguments are errors", function()
   check.refused("objects/bumper", { ["most=0.6"] = "most", ["refinement=0"] = "refinement", ["mu=-1"] = "mu" })
+  check.refused("objects/boot_seal", { ["meshes=0"] = "meshes", ["tilt=20"] = "tilt", ["stroke=20"] = "stroke" })
   check.refused("objects/cshape", { ["turn=0"] = "turn", ["travel=9"] = "travel", ["steps=4"] = "steps" })
   check.refused("objects/brake_pad", { ["over=0"] = "over", ["speeds=-1"] = "speeds", ["steps=1"] = "steps" })
   check.refused("objects/worn_pin", { ["scar=2"] = "scar", ["solid=2"] = "solid", ["force=0"] = "force" })
