@@ -160,9 +160,19 @@ check.case("boot seal: folds touch each other and the shaft that tilts; the forc
   check.within("balance", seal.balance, 1, 0.01)
 end)
 
+check.case("crossed tubes: a force that rises until the softer tube is flat and touches itself", function()
+  local tubes = results("crossed_tubes", "meshes=5", "steps=20")
+  for i = 2, 20 do assert(tubes.force[i] > tubes.force[i - 1], i) end
+  check.within("inside before it is flat", tubes.inside[12], 0, 1e-9)
+  assert(tubes.inside[20] > 0.1)
+  check.within("balance", tubes.balance, 1, 0.005)
+  check.within("action and reaction", tubes.imbalance, 0, 1e-6)
+end)
+
 check.case("wrong arguments are errors", function()
   check.refused("objects/bumper", { ["most=0.6"] = "most", ["refinement=0"] = "refinement", ["mu=-1"] = "mu" })
   check.refused("objects/boot_seal", { ["meshes=0"] = "meshes", ["tilt=20"] = "tilt", ["stroke=20"] = "stroke" })
+  check.refused("objects/crossed_tubes", { ["meshes=2"] = "meshes", ["travel=50"] = "travel", ["steps=2"] = "steps" })
   check.refused("objects/cshape", { ["turn=0"] = "turn", ["travel=9"] = "travel", ["steps=4"] = "steps" })
   check.refused("objects/brake_pad", { ["over=0"] = "over", ["speeds=-1"] = "speeds", ["steps=1"] = "steps" })
   check.refused("objects/worn_pin", { ["scar=2"] = "scar", ["solid=2"] = "solid", ["force=0"] = "force" })
