@@ -33,7 +33,7 @@ TEST(Unsettled, ProjectionReportsItsLimitOfIterations) {
 
 TEST(Unsettled, PairCountsAcceptedStatesOnly) {
   const nurbs::Discretization block =
-      discretize(nurbs::rectangle(2, 1, Eigen::Vector2d(-1, 0.1)), {1, 1}, "N1", "south");
+      discretize(nurbs::rectangle(2, 1, Eigen::Vector2d(-1, -0.1)), {1, 1}, "N1", "south");
   Pair<2> pair(Surface<2>(block, nurbs::side_of("south", 2)), Obstacle<2>(singular_line()), InterfaceLaw{1}, 1);
   const Vec<2> rest = Vec<2>::Zero();
   const auto evaluate = [&](double x) { // of the only contact point
@@ -46,7 +46,7 @@ TEST(Unsettled, PairCountsAcceptedStatesOnly) {
   EXPECT_EQ(pair.formulation().counters.unsettled, 0);
   pair.accept();
   EXPECT_EQ(pair.formulation().counters.unsettled, 1);
-  EXPECT_EQ(pair.formulation().counters.unsettled_at, Vec<2>(0, 0.1));
+  EXPECT_EQ(pair.formulation().counters.unsettled_at, Vec<2>(0, -0.1));
   evaluate(0.7);
   pair.accept();
   EXPECT_EQ(pair.formulation().counters.unsettled, 1);

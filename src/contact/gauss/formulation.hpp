@@ -42,7 +42,7 @@ struct Multipliers {
 
 /// What a contact counts and times over a path.
 template <int D> struct ContactCounters {
-  /// Number of points whose closest point or slip point was not found to tolerance, summed over all accepted states,
+  /// Number of points with a force whose closest point or slip point was not found to tolerance, over all accepted states,
   /// and reference position of the latest.
   int unsettled = 0;
   Vec<D> unsettled_at = Vec<D>::Zero();

@@ -141,9 +141,9 @@ check.case("a closest-point projection that did not converge is reported with it
         material = sg.linear_elastic{ E = 1, nu = 0 } } },
     supports = { grip = { on = { "south", "north" }, drive = "xy" } },
     contacts = { touch = { slave = "south", master = sg.rigid.surface(line), penalty = 1, points = 1 } } }
-  local run = model:run{ { steps = 1, grip = {-0.9, 0} }, { steps = 1, grip = {0, 0} } }
-  check.equal({ run.reason, #run.warnings }, { "completed", 2 })
-  check.holds(run.warnings[2], "contact 'touch': the search for a closest point or slip point ended at a limit of "
-    .. "iterations 1 time in accepted states, the last time at X = (0, 0.1): gap and friction are approximate there")
-  check.equal(model:contact_resultant "touch".unsettled, 2) -- the initial state is an accepted one, too
+  local run = model:run{ { steps = 1, grip = {-0.9, -0.15} }, { steps = 1, grip = {0, -0.15} } }
+  check.equal(run.reason, "completed")
+  check.holds(table.concat(run.warnings, "\n"), "contact 'touch': the search for a closest point or slip point ended "
+    .. "at a limit of iterations 1 time in accepted states, the last time at X = (0, 0.1): gap and friction are approximate there")
+  check.equal(model:contact_resultant "touch".unsettled, 1) -- not where it is open
 end)
