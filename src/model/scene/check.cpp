@@ -128,8 +128,9 @@ template <int D> void check_supports(const Scene<D>& scene) {
   const int control_points = first_control_point(scene, static_cast<int>(scene.bodies.size()));
   const auto points = supported_points(scene, coincident_points(scene));
   std::vector<std::array<const Support<D>*, D>> support_of(control_points + scene.obstacles.size());
+  // A rotation does not move points along its axis.
   const auto fixes = [](const Support<D>& support, int c) {
-    return support.constraint[c] == Constraint::fixed && !support.rotates;
+    return support.constraint[c] == Constraint::fixed && (!support.rotates || std::abs(support.axis(c)) == 1);
   };
   for (std::size_t s = 0; s < scene.supports.size(); ++s)
     for (int c = 0; c < D; ++c)

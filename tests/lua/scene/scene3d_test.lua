@@ -296,6 +296,21 @@ check.case("a bar twisted by small angles: moment and energy agree, and the foot
   assert(moment > saint_venant and moment < 1.4 * saint_venant, moment / saint_venant)
 end)
 
+check.case("a face that rotates about the normal of a plane of symmetry reaches this plane", function()
+  local function bent(half)
+    local b = scenes.body{ size = { 4, 1, half and 0.5 or 1 }, elements = { 4, 1, half and 1 or 2 }, material = soft,
+                           contact = "north" }
+    local model = scenes.model{ bodies = { b = b }, supports = { wall = { on = b:face "west", fix = "xyz" },
+      grip = { on = b:face "east", rotate = "z", fix = "z", drive = "xy" },
+      mirror = half and { on = b:face "back", symmetry = true } or nil } }
+    return check.completed(model:run{ { steps = 2, grip = { -0.2, 1, 30 } } })
+  end
+  local whole, half = bent(false), bent(true)
+  for _, name in ipairs{ "fx", "fy", "moment" } do
+    check.near(2 * half:column("grip." .. name)[2] / whole:column("grip." .. name)[2], 1, 1e-3)
+  end
+end)
+
 check.case("two faces that rotate as one turn about their common centroid", function()
   local b = scenes.body{ size = {3, 2, 1}, elements = {2, 2, 1}, contact = "back", material = soft }
   local model = scenes.model{ bodies = { b = b },
