@@ -20,10 +20,11 @@
 -- Expected: if the master has no sharp edges, all models complete except one in several hundred; if the block is the
 --           master, about 1 % end early (35 % if the traction ended at the boundary of the master face).
 -- Run: signorini stability/generated.lua [kind=plane] [first=1] [count=2209] [mirror=no] [saved=no] [law=gpts]
---      [ends=no] [fewer=1] [jobs=2] [limit=600] [out=out/stability/generated]; kind: plane (2D) or space (3D); first,
---      count: seeds; law: gpts, mortar, multipliers or among, in which all outer faces of the body are in the contact;
---      ends: only the scenes with the block as master; fewer: divides the numbers of steps, so that more of them are
---      cut; limit: seconds per model. A second call continues from the results in the folder.
+--      [ends=no] [tilt=0] [fewer=1] [jobs=2] [limit=600] [out=out/stability/generated]; kind: plane (2D) or space (3D);
+--      first, count: seeds; law: gpts, mortar, multipliers or among, in which all outer faces of the body are in the
+--      contact; ends: only the scenes with the block as master; tilt: degrees up to which blocks in space lean, so that
+--      a corner or an edge touches first; fewer: divides the numbers of steps, so that more of them are cut; limit:
+--      seconds per model. A second call continues from the results in the folder.
 
 local sg = require "signorini"
 local scenes = require "generated.scenes"
@@ -32,7 +33,8 @@ local laws = { gpts = {}, mortar = { method = "mortar" },
                multipliers = { method = "mortar", enforcement = "multipliers" }, among = {} }
 local options = sg.arguments{
   kind = { "plane", choices = scenes.kinds }, first = 1, count = 2209, mirror = false, saved = false,
-  law = { "gpts", choices = { "gpts", "mortar", "multipliers", "among" } }, ends = false, fewer = { 1, at_least = 1 },
+  law = { "gpts", choices = { "gpts", "mortar", "multipliers", "among" } }, ends = false,
+  tilt = { 0.0, at_least = 0, at_most = 45 }, fewer = { 1, at_least = 1 },
   jobs = 2, limit = 600.0, out = "out/stability/generated",
 }
 local tolerance = 1e-5 -- of the largest force, for a scene and its mirror image, or the same that is saved
@@ -41,7 +43,7 @@ local tolerance = 1e-5 -- of the largest force, for a scene and its mirror image
 
 local function solve(case)
   local scene = scenes.describe(case.kind, case.seed)
-  scene.law, scene.outline = laws[case.law], case.law == "among"
+  scene.law, scene.outline, scene.tilt = laws[case.law], case.law == "among", case.tilt
   for stage, steps in pairs(scene.steps) do scene.steps[stage] = math.max(1, steps // case.fewer) end
   local _, account = scenes.solve(scene, sg.robust{})
   local result = {
@@ -70,11 +72,11 @@ for seed = options.first, options.first + options.count - 1 do
 end
 local name = options.kind .. (options.mirror and "_mirrored" or "") .. (options.saved and "_saved" or "")
   .. (options.law ~= "gpts" and "_" .. options.law or "") .. (options.fewer > 1 and "_" .. options.fewer or "")
-  .. (options.ends and "_ends" or "")
+  .. (options.ends and "_ends" or "") .. (options.tilt > 0 and ("_%g"):format(options.tilt) or "")
 local study = sg.study{
   name = "generated " .. options.kind, folder = options.out .. "/" .. name, run = solve,
   cases = sg.grid{ kind = { options.kind }, mirror = { options.mirror }, saved = { options.saved },
-                   law = { options.law }, fewer = { options.fewer }, seed = seeds },
+                   law = { options.law }, fewer = { options.fewer }, tilt = { options.tilt }, seed = seeds },
 }
 study:execute{ jobs = options.jobs, limit = options.limit }
 

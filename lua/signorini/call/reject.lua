@@ -15,7 +15,7 @@ local longest_meaning = 60 -- characters of a row's text that is quoted in messa
 local function likely(expected, value)
   if not expected:find "a face" then return nil end
   if pages.kind(value) == "body" then return 'take a face of the body, such as body:face "south"' end
-  return type(value) == "string" and 'a face is a value: body:face "south"' or nil
+  return (type(value) == "string" or type(value) == "number") and 'a face is a value: body:face "south"' or nil
 end
 
 local function meaning(row)
@@ -24,7 +24,7 @@ end
 
 --- Rejects a value: "sg.f: E must be a positive number (Young's modulus), got …. Hint: …".
 function reject.value(where, name, expected, value, cure, row)
-  cure = cure or likely(expected, value)
+  if not cure or cure == "take one of these" then cure = likely(expected, value) or cure end
   local ending = cure and ". Hint: " .. cure or ""
   if value == nil then
     core.fail(("%s: %s%s is missing: it must be %s%s"):format(where, name, meaning(row), expected, ending))

@@ -27,7 +27,7 @@ scenes.kinds = { "plane", "space" }
 
 --- The scene of a seed, as plain data: kind, shape, slave ("body" or "slab"; a rigid cylinder is always the master),
 --- orders and elements of body and slab, E of the body, mu, penalty, the place of the body's middle, press, drag and
---- their steps.
+--- their steps, and for leaning bodies the parts of the largest angle.
 function scenes.describe(kind, seed)
   local ranges, roll = kinds[kind], dice(seed)
   local function elements(counts)
@@ -48,6 +48,7 @@ function scenes.describe(kind, seed)
   scene.press = roll.uniform(0.01, 0.2)
   scene.drag = roll.uniform(-ranges.distance, ranges.distance)
   scene.steps = { press = roll.integer(2, 6), drag = roll.integer(4, 24) }
+  scene.lean = { roll.uniform(-1, 1), roll.uniform(-1, 1) }
   return scene
 end
 
@@ -93,6 +94,14 @@ local function slab_patch(kind)
     "front"
 end
 
+--- A solid turned by two angles (degrees) about axes along y and x, so that its lowest corner is at z = 0.
+local function leaning(patch, angles)
+  patch = patch:rotate{ angle = angles[1], axis = { 0, 1, 0 } }:rotate{ angle = angles[2], axis = { 1, 0, 0 } }
+  local lowest = math.huge
+  for corner = 0, 7 do lowest = math.min(lowest, patch{ corner % 2, corner // 2 % 2, corner // 4 }[3]) end
+  return patch:translate{ 0, 0, -lowest }
+end
+
 local mirrors = { plane = { 1, 0 }, space = { 1, 0, 0 } }
 local other_side = { west = "east", east = "west" } -- a mirrored patch has the opposite direction along x
 
@@ -107,13 +116,16 @@ local function outline(top, body, driven, plane)
 end
 
 --- Model and stages of a scene, or of its mirror image. scene.law: further arguments of the contact, such as `method`;
---- scene.outline: all sides of the body are in the contact.
+--- scene.outline: all sides of the body are in the contact; scene.tilt: the largest angle by which blocks in space lean.
 function scenes.build(scene, mirrored)
   local plane = scene.kind == "plane"
   local all, sign = plane and "xy" or "xyz", mirrored and -1 or 1
   local function body(patch, part, face, E)
     if mirrored then patch = patch:mirror{ normal = mirrors[scene.kind], point = plane and { 0, 0 } or { 0, 0, 0 } } end
-    return sg.body{ patch = patch, elements = scene.elements[part], order = scene.orders[part], contact = face,
+    -- In space the sides of a body with a layer cross it.
+    local order = scene.orders[part]
+    if scene.outline and part == "body" and not plane then order = order:match "^[^-]*" end
+    return sg.body{ patch = patch, elements = scene.elements[part], order = order, contact = face,
                     material = sg.neo_hookean{ E = E, nu = 0.3 } }
   end
   local patch, top, bottom = slab_patch(scene.kind)
@@ -124,6 +136,9 @@ function scenes.build(scene, mirrored)
     faces.body = driven
   else
     local shape, face, sides = shapes[scene.kind][scene.shape](scene.place)
+    if scene.tilt and scene.tilt > 0 and scene.shape == "block" and not plane then
+      shape = leaning(shape, { scene.tilt * scene.lean[1], scene.tilt * scene.lean[2] })
+    end
     bodies.body = body(shape, "body", face, scene.E)
     faces.body = bodies.body:face(face)
     for i, side in ipairs(sides) do sides[i] = mirrored and other_side[side] or side end

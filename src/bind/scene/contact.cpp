@@ -60,7 +60,14 @@ template <int D> model::Contact<D> read_contact(SceneBuilder<D>& builder, const 
   model::Contact<D> contact;
   contact.name = name;
   if (a.has("among")) {
-    contact.slave = a.is("among", LUA_TSTRING) ? free_faces(builder.scene) : read_faces(builder, a, "among");
+    const bool all = a.is("among", LUA_TSTRING);
+    contact.slave = all ? free_faces(builder.scene) : read_faces(builder, a, "among");
+    for (const model::FaceReference& face : contact.slave) {
+      const auto& [name, body] = builder.scene.bodies[face.body];
+      if (all && crosses_layer(body->space(), face.side))
+        a.fail("among", " is \"all\", but face '", name_of(face.side), "' of body '", name,
+               "' crosses its layer and cannot touch: list the faces that may touch, or take an order without a layer");
+    }
     contact.master = contact.slave;
   } else {
     contact.slave = read_faces(builder, a, "slave");
@@ -177,7 +184,10 @@ void add_set(SceneBuilder<D>& builder, const Arguments& a, const std::string& ba
   for (int i = 0; i < std::ssize(faces); ++i)
     for (int k = i; k < std::ssize(faces); ++k)
       if (!choice.touch(faces[i], faces[k])) set.apart.push_back({i, k});
-  add(set, faces, name);
+  const bool alone = 2 * set.apart.size() == faces.size() * (faces.size() + 1);
+  if (alone && choice.only && !faces.empty())
+    fail(a.path(), ".between names only faces that except leaves out: remove one of the two");
+  if (!alone) add(set, faces, name);
   if (!a.is("among", LUA_TSTRING)) return;
   for (int obstacle = 0; obstacle < std::ssize(scene.obstacles); ++obstacle) {
     const model::Contact<D> other = with_obstacle(scene, all, obstacle);

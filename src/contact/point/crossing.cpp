@@ -6,13 +6,13 @@ namespace signorini::contact {
 
 template <int D>
 bool has_crossed(const Master<D>& before, const Master<D>& now, const Vec<D>& from, const Vec<D>& to,
-                 const Vec<D>& outward, const Projection<D>& seed, double allowed, const Lookout<D>& lookout) {
+                 const Vec<D>& outward, const Projection<D>& seed, double allowed) {
   FaceGeometry<D> foot, point;
   FacePoint<D> foot_before;
-  Projection<D> found = now.project(to, seed, foot, lookout);
+  Projection<D> found = now.project(to, seed, foot);
   if (found.foot != Foot::regular || found.gap <= 0 || now.normal(foot).dot(outward) <= back_to_back) return false;
   // A point that was pressed in leaves the master on the same side, where its face may have folded over.
-  const Projection<D> start = before.project(from, found, point, lookout);
+  const Projection<D> start = before.project(from, found, point);
   if (start.foot == Foot::regular && start.gap < allowed && before.normal(point).dot(now.normal(foot)) > 0)
     return false;
   before.locate(found.point(), foot_before);
@@ -21,7 +21,7 @@ bool has_crossed(const Master<D>& before, const Master<D>& now, const Vec<D>& fr
   // The gap changes by at most the distance moved, so steps of the gap's length cannot miss the master.
   for (double s = std::max(found.gap, length / crossing_pieces); s < length;
        s += std::max(found.gap, length / crossing_pieces)) {
-    found = now.project(to + (s / length) * way, found, point, lookout);
+    found = now.project(to + (s / length) * way, found, point);
     if (found.foot == Foot::regular && found.gap < allowed) return true;
   }
   return false;
@@ -57,7 +57,7 @@ bool has_passed_through(const Master<D>& before, const Master<D>& now, const Vec
 
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \
   template bool has_crossed(const Master<D>&, const Master<D>&, const Vec<D>&, const Vec<D>&, const Vec<D>&,           \
-                            const Projection<D>&, double, const Lookout<D>&);                                          \
+                            const Projection<D>&, double);                                                             \
   template bool has_passed_through(const Master<D>&, const Master<D>&, const Vec<D>&, const Vec<D>&,                   \
                                    const Projection<D>&, const Projection<D>&, bool, double, const Lookout<D>&);
 SIGNORINI_INSTANTIATE(2)

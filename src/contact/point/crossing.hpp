@@ -12,7 +12,7 @@ namespace signorini::contact {
 /// is on another side of the master now. `seed`: start of the closest-point projection.
 template <int D>
 bool has_crossed(const Master<D>& before, const Master<D>& now, const Vec<D>& from, const Vec<D>& to,
-                 const Vec<D>& outward, const Projection<D>& seed, double allowed, const Lookout<D>& lookout = {});
+                 const Vec<D>& outward, const Projection<D>& seed, double allowed);
 
 /// The same of a point of a set, which may touch: `last` is its present foot. It has passed through the part that it
 /// faced at `from` if it is behind this part's tangent plane by a quarter of the thickness, with a foot on a part that

@@ -362,7 +362,9 @@ end)
 check.refusals([[
 local slab = sg.body { patch = sg.shapes.rectangle { width = 2, height = 1 }, elements = { 2, 1 }, order = "N2",
                        material = sg.neo_hookean { E = 1, nu = 0.3 } }
-local function model(contact) return sg.model { bodies = { slab = slab }, contacts = { c = contact } } end
+local function model(contact, body) return sg.model { bodies = { slab = body or slab }, contacts = { c = contact } } end
+local layered = sg.body { patch = sg.shapes.block { size = { 1, 1, 1 } }, elements = { 2, 2, 2 }, order = "N2-N3",
+                          contact = "back", material = sg.neo_hookean { E = 1, nu = 0.3 } }
 ]], 3, {
   { [[model { among = slab:face "north", slave = slab:face "south" }]], "has both among and slave", "has no slave" },
   { [[model { among = slab:face "north", master = slab:face "south" }]], "has both among and master" },
@@ -377,6 +379,12 @@ local function model(contact) return sg.model { bodies = { slab = slab }, contac
   { [[model { among = "all", pairs = { p = { friction = { mu = 0.1 } } } }]], "contacts.c.pairs.p", "between" },
   { [[model { among = slab:face "north", pairs = { p = { between = { slab:face "south", slab } } } }]],
     "contacts.c.pairs.p.between names no two parts of the set" },
+  { [[model { among = "north" }]], "contacts.c.among must be", [[a face is a value: body:face "south"]] },
+  { [[model({ among = "all" }, layered)]], "contacts.c: among is",
+    "crosses its layer", "list the faces" },
+  { [[model { among = 3 }]], "contacts.c.among must be", [[a face is a value: body:face "south"]] },
+  { [[model { among = "all", except = { { slab, slab } }, pairs = { p = { between = { slab:face "south", slab } } } }]],
+    "contacts.c.pairs.p.between", "except leaves out" },
   { [[model { among = slab:face "north", except = { { slab:face "south", slab } } }]],
     "contacts.c.except[1] names no two parts of the set" },
   { [[model { among = "all", except = { { slab, sg.rigid.plane { point = { 0, 0 }, normal = { 0, 1 } } } } }]],
