@@ -1,7 +1,7 @@
 -- Shapes that are folded from the start: where a set of faces finds contact, and whether overlaps are reported.
 --
--- Problem: random strips, 1 long and t = 0.04 thick, whose center line turns by a random function of its length, so that
---          many roll up, and some through themselves; all faces may touch each other (among = "all").
+-- Problem: random strips, 1 long and t = 0.04 thick, whose center line turns by a random function of its length, so
+--          that many roll up, and some through themselves; all faces may touch each other (among = "all").
 -- Source: none; whether a shape overlaps is decided by winding numbers of its outline, a polygon, about points next to
 --         it: 2 and more are in two layers.
 -- Units: none.
@@ -104,7 +104,8 @@ local wrong, found = 0, { apart = { 0, 0, 0 }, overlapping = { 0, 0, 0 }, betwee
 for shape = 1, options.count do
   local points, knots = strip_points(random_angle())
   local patch = sg.nurbs.surface{ degrees = { degree, 1 }, knots = { knots, { 0, 0, 1, 1 } }, points = points }
-  local strip = sg.body{ patch = patch, elements = { spans, 1 }, order = "N2", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+  local strip = sg.body{ patch = patch, elements = { spans, 1 }, order = "N2",
+                         material = sg.neo_hookean{ E = 1, nu = 0.3 } }
   local model = sg.model{ bodies = { strip = strip }, supports = { clamp = { on = strip:face "west", fix = "xy" } },
                           contacts = { all = { among = "all" } } }
   local kind = kind_of(outline(patch))

@@ -123,11 +123,11 @@ of the other pass: by how much action and reaction differ, 0 without forces. A s
 mean of both sides, and pairs["<body>_<body>"] { fx, fy, fz } the force of the second body on the first, of half passes
 half of the difference of both, with imbalance |sum f| / (sum |f| / 2). unsettled: how often, in all accepted
 states so far, the search for the closest point or slip point of a point with a force ended at the limit of iterations;
-unsettled_at is the reference position of the latest such point. With a formula of friction or wear flawed: how often it was negative at a
-point, not a finite number, or fell faster with the slip than the tangential penalty can follow; flaw ("negative",
-"negative wear", "undefined", "undefined wear" or "jumps") and flawed_at tell the latest. crossed: how many points have
-passed through the master without contact since the accepted state, 0 in accepted states; crossed_at is the reference
-position of the last of them. Reading any other field is an error.]],
+unsettled_at is the reference position of the latest such point. With a formula of friction or wear flawed: how often it
+was negative at a point, not a finite number, or fell faster with the slip than the tangential penalty can follow; flaw
+("negative", "negative wear", "undefined", "undefined wear" or "jumps") and flawed_at tell the latest. crossed: how many
+points have passed through the master without contact since the accepted state, 0 in accepted states; crossed_at is the
+reference position of the last of them. Reading any other field is an error.]],
     arguments = { a_contact },
     returns = t.record("fx? fy? fz?", t.number, "pairs?", t.any,
       "area max_pressure mean_pressure max_penetration", t.number,

@@ -48,11 +48,12 @@ return {
 parts, their positions and the contacts that touch; tostring(model) shows its size. model:run solves it along a load
 path; help "results" and help "methods" list the other methods.]] },
   { "model:warnings", [[Returns a list of sentences on what is probably unintended. About the scene (sg.model prints
-these, too): overlaps before the first step whose closing strains a body by more than 0.1 %, and of bodies in contact with themselves (among),
-parts of a body at a distance that are tied, functions of loads whose resultant Gauss points miss by 1 %, Poisson's
-ratios that lock, mu above 3, penalties above 1e8 times the stiffness of an element, fewer contact points per element
-than the degree of the face, weights so different that Gauss points miss a body's volume by 1 %, loads on faces whose
-area they miss by as much, contacts that act twice. run.warnings starts with these.]],
+these, too): overlaps before the first step whose closing strains a body by more than 0.1 %, and those of bodies that
+are in contact with themselves (among), parts of a body at a distance that are tied, functions of loads whose resultant
+Gauss points miss by 1 %, Poisson's ratios that lock, mu above 3, penalties above 1e8 times the stiffness of an element,
+fewer contact points per element than the degree of the face, weights so different that Gauss points miss a body's
+volume by 1 %, loads on faces whose area they miss by as much, contacts that act twice. run.warnings starts with
+these.]],
     returns = t.list(t.text), example = "model:warnings()  --> {}" },
   { "model:run", [[Solves a model along its load path and returns a run. A further run continues from the
 model's state; its steps are counted from 1 again.]],

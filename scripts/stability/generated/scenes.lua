@@ -116,7 +116,7 @@ local function outline(top, body, driven, plane)
 end
 
 --- Model and stages of a scene, or of its mirror image. scene.law: further arguments of the contact, such as `method`;
---- scene.outline: all sides of the body are in the contact; scene.tilt: the largest angle by which blocks in space lean.
+--- scene.outline: all sides of the body are in the contact; scene.tilt: the largest angle by which solid blocks lean.
 function scenes.build(scene, mirrored)
   local plane = scene.kind == "plane"
   local all, sign = plane and "xy" or "xyz", mirrored and -1 or 1

@@ -2,6 +2,7 @@
 #include "bind/lua/open.hpp"
 #include "bind/lua/wording/wording.hpp"
 #include "bind/scene/contact.hpp"
+#include "model/warnings/undeclared_overlap.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -122,6 +123,7 @@ template <int D> int push_model(const Arguments& a, lua_State* L) {
   const auto& made = push_object<Model<D>>(L, std::make_shared<model::Model<D>>(std::move(scene)));
   count_memory(L, model::memory(*made));
   std::ranges::move(builder.warnings, std::back_inserter(made->scene_warnings));
+  model::warn_of_folded_shapes(*made, made->scene_warnings);
   for (const Message& warning : made->scene_warnings) warn(worded(warning));
   return 1;
 }

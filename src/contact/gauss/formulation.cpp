@@ -75,8 +75,8 @@ template <int D> void Formulation<D>::commit(History<D>& present, const History<
                            (before.pressure * before.area + after.pressure * after.area) *
                            (parameters_.offset(i, present.changes) - parameters_.offset(i, accepted.changes));
     count(after.flaw, points_.reference[i], counters);
-    // The foot of a point without force tells only that it is open. Where it is near the center of curvature of a concave
-    // face, all points of this are as near, and no search settles on one of them.
+    // The foot of a point without force tells only that it is open. Where it is near the center of curvature of a
+    // concave face, all points of this are as near, and no search settles on one of them.
     if (after.settled || !(after.area > 0)) continue;
     ++counters.unsettled;
     counters.unsettled_at = points_.reference[i];

@@ -42,8 +42,8 @@ struct Multipliers {
 
 /// What a contact counts and times over a path.
 template <int D> struct ContactCounters {
-  /// Number of points with a force whose closest point or slip point was not found to tolerance, over all accepted states,
-  /// and reference position of the latest.
+  /// Number of points with a force whose closest point or slip point was not found to tolerance, summed over all
+  /// accepted states, and reference position of the latest.
   int unsettled = 0;
   Vec<D> unsettled_at = Vec<D>::Zero();
   /// The same of points or multipliers whose formula of friction has a flaw, and the latest flaw.

@@ -11,7 +11,6 @@
 #include "model/scene/ties.hpp"
 #include "model/steps/equilibrium.hpp"
 #include "model/steps/first_guess.hpp"
-#include "model/warnings/undeclared_overlap.hpp"
 #include "os/timer.hpp"
 
 #include <algorithm>
@@ -40,7 +39,6 @@ template <int D> Model<D>::Model(Scene<D> scene) : Model(std::move(scene), NotSt
   warn_of_joins(system.scene, scene_warnings);
   warn_of_ties(system.scene, system.ties, scene_warnings);
   warn_of_idle_actions(system, scene_warnings);
-  warn_of_folded_shapes(*this, scene_warnings);
 }
 
 template <int D> void set_target(Model<D>& model, int drive, int component, double value) {

@@ -144,6 +144,7 @@ check.case("a closest-point projection that did not converge is reported with it
   local run = model:run{ { steps = 1, grip = {-0.9, -0.15} }, { steps = 1, grip = {0, -0.15} } }
   check.equal(run.reason, "completed")
   check.holds(table.concat(run.warnings, "\n"), "contact 'touch': the search for a closest point or slip point ended "
-    .. "at a limit of iterations 1 time in accepted states, the last time at X = (0, 0.1): gap and friction are approximate there")
+    .. "at a limit of iterations 1 time in accepted states, the last time at X = (0, 0.1): gap and friction are "
+    .. "approximate there")
   check.equal(model:contact_resultant "touch".unsettled, 1) -- not where it is open
 end)

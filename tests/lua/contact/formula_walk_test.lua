@@ -16,13 +16,15 @@ local laws = {
 local formulations = {
   { "points" }, { "half passes", { method = "half_passes" } }, { "mortar", { method = "mortar" } },
   { "multipliers", { method = "mortar", enforcement = "multipliers" } },
+  { "set", {}, true }, { "set in half passes", { method = "half_passes" }, true },
 }
 
 -- ── Scenes ───────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 local lift, deep = 0.004, 0.024
 
-local function scene(kind, law, keys)
+--- `set`: the faces of both bodies that may touch are in contact with each other.
+local function scene(kind, law, keys, set)
   local space, axis = kind == "space", kind == "axisymmetric"
   local lower, upper = space and "front" or "south", space and "back" or "north"
   local block = scenes.body{ E = 10, size = space and { 0.6, 0.6, 0.4 } or { 0.6, 0.4 }, contact = lower,
@@ -32,6 +34,7 @@ local function scene(kind, law, keys)
                             corner = space and { 0, 0, -0.4 } or { 0, -0.4 },
                             elements = space and { 2, 1, 1 } or { 3, 1 } }
   local contact = { slave = block:face(lower), master = slab:face(upper), friction = { mu = law.mu, penalty = 200 } }
+  if set then contact.among, contact.slave, contact.master = { contact.slave, contact.master }, nil, nil end
   if law.pressure then contact.pressure, contact.clearance = law.pressure, clearance else contact.penalty = 200 end
   return sg.model{
     kind = axis and kind or nil, bodies = { block = block, slab = slab },
@@ -79,10 +82,10 @@ end
 for _, kind in ipairs { "plane", "axisymmetric", "space" } do
   for _, formulation in ipairs(formulations) do
     for _, law in ipairs(laws) do
-      local name, keys = table.unpack(formulation)
+      local name, keys, set = table.unpack(formulation)
       if not (law.pressure and name == "multipliers") then
         check.case(("%s, %s, %s"):format(kind, name, law[1]), function()
-          local model, seen = scene(kind, law, keys), {}
+          local model, seen = scene(kind, law, keys, set), {}
           local run = model:run(path(kind), { on_step = function() look(kind, model, seen, name ~= "mortar") end })
           check.equal({ run.reason, run.cutbacks, run.fallback_steps }, { "completed", 0, 0 })
           check.equal(seen, { stick = true, slip = true, forward = true, backward = true, lifted = true })

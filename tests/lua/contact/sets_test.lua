@@ -1,5 +1,6 @@
 -- Sets of faces in contact with each other (among): the same as contacts of pairs of faces, a fold as its half, bodies
--- that cannot touch, all faces with all and with obstacles, corners, results, saved models, wrong calls.
+-- that cannot touch, all faces with all and with obstacles, corners, wear and adhesion, shapes that overlap themselves,
+-- results, saved models.
 
 require "check"
 local show = require "signorini.prompt.show"
@@ -318,8 +319,27 @@ check.case("shapes that overlap themselves", function()
   local apart, overlapping = coil(0.4), coil(0.1)
   check.equal(apart:warnings(), {})
   check.equal(#overlapping:warnings(), 1)
-  check.holds(overlapping:warnings()[1], "of body 'coil' lies 0.12", "overlaps itself before the first step", "contacts.all")
+  check.holds(overlapping:warnings()[1], "of body 'coil' lies 0.12", "overlaps itself before the first step",
+    "contacts.all")
   for _, model in ipairs { apart, overlapping } do check.equal(model:contact_resultant "all".active, 0) end
+end)
+
+check.case("wear and adhesion of a set are those of two faces", function()
+  local function dragged(set, keys)
+    local lower, upper = block({ -0.5, -1 }, 2, { 8, 3 }), block({ 0.2, 0 }, 0.6, { 3, 4 })
+    local one, other = upper:face "south", lower:face "north"
+    local law = lists.merged(keys, set and { among = { one, other } } or { slave = one, master = other })
+    local model = sg.model { bodies = { lower = lower, upper = upper }, contacts = { touch = law },
+                             supports = { bed = { on = lower:face "south", fix = "xy" },
+                                          grip = { on = upper:face "north", drive = "xy" } } }
+    return solved(model, { { steps = 2, grip = { 0, -0.02 } }, { steps = 6, grip = { 0.1, -0.02 } } })
+  end
+  local worn = { penalty = 50, friction = { mu = 0.2, penalty = 50 }, wear = { rate = 0.002 } }
+  local pair, set = dragged(false, worn), dragged(true, worn)
+  check.within_share("worn volume", last(set, "touch.worn_volume"), last(pair, "touch.worn_volume"), 0.05)
+  local sticky = { adhesion = { hamaker = 1e-6, r0 = 1e-2 } }
+  pair, set = dragged(false, sticky), dragged(true, sticky)
+  check.within_share("force", last(set, "grip.fy"), last(pair, "grip.fy"), 0.05)
 end)
 
 -- ── Results ──────────────────────────────────────────────────────────────────────────────────────────────────────────
@@ -356,46 +376,3 @@ check.case("contacts of the same faces are counted twice", function()
   check.equal(warnings { a = { among = north }, b = { among = south } }, 0)
   check.equal(warnings { all = { among = "all" }, bed = { slave = south, master = floor } }, 1)
 end)
-
--- ── Wrong calls ──────────────────────────────────────────────────────────────────────────────────────────────────────
-
-check.refusals([[
-local slab = sg.body { patch = sg.shapes.rectangle { width = 2, height = 1 }, elements = { 2, 1 }, order = "N2",
-                       material = sg.neo_hookean { E = 1, nu = 0.3 } }
-local function model(contact, body) return sg.model { bodies = { slab = body or slab }, contacts = { c = contact } } end
-local layered = sg.body { patch = sg.shapes.block { size = { 1, 1, 1 } }, elements = { 2, 2, 2 }, order = "N2-N3",
-                          contact = "back", material = sg.neo_hookean { E = 1, nu = 0.3 } }
-]], 3, {
-  { [[model { among = slab:face "north", slave = slab:face "south" }]], "has both among and slave", "has no slave" },
-  { [[model { among = slab:face "north", master = slab:face "south" }]], "has both among and master" },
-  { [[model { slave = slab:face "north" }]], "needs master", "or among" },
-  { [[model { penalty = 1 }]], "needs slave", "or among" },
-  { [[model { slave = slab:face "north", master = slab:face "north" }]], "same face", "write among" },
-  { [[model { among = "every" }]], [[among must be a face, a list of faces, or "all"]], "every" },
-  { [[model { among = { slab:face "north", slab:face "north" } }]], "contacts.c.among", "twice" },
-  { [[model { slave = slab:face "north", master = slab:face "south", except = {} }]], "except without among" },
-  { [[model { among = "all", except = { slab } }]], "contacts.c.except[1] must be", "write { A, B }" },
-  { [[model { among = "all", except = { { slab, slab, slab } } }]], "contacts.c.except[1] must be a list of 2" },
-  { [[model { among = "all", pairs = { p = { friction = { mu = 0.1 } } } }]], "contacts.c.pairs.p", "between" },
-  { [[model { among = slab:face "north", pairs = { p = { between = { slab:face "south", slab } } } }]],
-    "contacts.c.pairs.p.between names no two parts of the set" },
-  { [[model { among = "north" }]], "contacts.c.among must be", [[a face is a value: body:face "south"]] },
-  { [[model({ among = "all" }, layered)]], "contacts.c: among is",
-    "crosses its layer", "list the faces" },
-  { [[model { among = 3 }]], "contacts.c.among must be", [[a face is a value: body:face "south"]] },
-  { [[model { among = "all", except = { { slab, slab } }, pairs = { p = { between = { slab:face "south", slab } } } }]],
-    "contacts.c.pairs.p.between", "except leaves out" },
-  { [[model { among = slab:face "north", except = { { slab:face "south", slab } } }]],
-    "contacts.c.except[1] names no two parts of the set" },
-  { [[model { among = "all", except = { { slab, sg.rigid.plane { point = { 0, 0 }, normal = { 0, 1 } } } } }]],
-    "contacts.c.except[1][2] is an obstacle that no support holds" },
-  { [[model { among = "all", adhesion = { hamaker = 1, r0 = 0.1 }, pairs = { p = { between = { slab, slab },
-      friction = { mu = 0.1 } } } }]], "pairs.p.friction", "adhesion" },
-  { [[model { among = "all", method = "mortar" }]], [[among and method = "mortar"]], "at points" },
-  { [[model { among = "all", enforcement = "multipliers" }]], "among and enforcement", "at points" },
-  { [[model { among = "all", method = "half_passes", multipliers = "equal" }]], "among and multipliers" },
-  { [[model { among = "all", cohesive = { strength = 1, energy = 1 } }]], "among and cohesive" },
-  { [[model { among = "all", overlap = "interference" }]], "among and overlap" },
-  { [[model { among = "all", friction = { mu = function(cosine) return 0.1 * cosine + 0.2 end, along = { 1, 0 } } }]],
-    "sign of the direction" },
-})

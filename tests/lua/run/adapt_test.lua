@@ -93,6 +93,7 @@ local function blocks(o)
   if not o.contact.enforcement then contact.penalty, contact.friction.penalty = 50, 50 end
   for key, value in pairs(o.contact) do contact[key] = value end
   if contact.friction == false then contact.friction = nil end
+  if o.set then contact.among, contact.slave, contact.master = { contact.slave, contact.master }, nil, nil end
   return scenes.model{ bodies = { die = die, slab = slab }, kind = kind, contacts = { joint = contact },
     supports = { bed = { on = slab:face(space and "front" or "south"), fix = space and "xyz" or "xy" },
       grip = { on = die:face(space and "back" or "north"), drive = space and "xyz" or "xy" } } }
@@ -122,7 +123,7 @@ check.case("every contact method; plane stress, axisymmetric bodies and solids",
     { contact = { method = "mortar", multipliers = "reduced" } },
     { contact = { method = "half_passes" } },
     { contact = {}, kind = "plane_stress" }, { contact = { friction = false }, kind = "axisymmetric" },
-    { contact = {}, size = 3 }, { contact = { method = "mortar" }, size = 3 },
+    { contact = {}, set = true }, { contact = {}, set = true, size = 3 }, { contact = {}, size = 3 }, { contact = { method = "mortar" }, size = 3 },
   } do
     local far = compare(one)
     assert(far < 0.03, far)
