@@ -123,7 +123,8 @@ check.case("every contact method; plane stress, axisymmetric bodies and solids",
     { contact = { method = "mortar", multipliers = "reduced" } },
     { contact = { method = "half_passes" } },
     { contact = {}, kind = "plane_stress" }, { contact = { friction = false }, kind = "axisymmetric" },
-    { contact = {}, set = true }, { contact = {}, set = true, size = 3 }, { contact = {}, size = 3 }, { contact = { method = "mortar" }, size = 3 },
+    { contact = {}, set = true }, { contact = {}, set = true, size = 3 },
+    { contact = {}, size = 3 }, { contact = { method = "mortar" }, size = 3 },
   } do
     local far = compare(one)
     assert(far < 0.03, far)
