@@ -160,7 +160,9 @@ std::vector<int> crossed(const Formulation<D>& contact, const History<D>& presen
     const Vec<D>& before = accepted.results[i].position;
     const double moved = (result.position - before).norm() + master_moved;
     if (faces.master.set()) {
-      if (accepted.points[i].cleared > faces.travel) continue; // it has come nowhere since then
+      // Clear by more than it and the set have moved since then, unless normals have turned (a jump of the travel)
+      const double clear = accepted.points[i].cleared - faces.left_at, travel = faces.travel - faces.left_at;
+      if (clear > (travel < faces.master.set()->size ? moved : travel)) continue;
       Lookout<D> from = lookout(faces, points, i);
       from.farthest = from.sight.reach = moved + std::max(touching, 0.0);
       if (has_passed_through(faces.accepted, faces.master, before, result.position, accepted.points[i].projection,

@@ -95,6 +95,7 @@ public:
   /// To be called after the faces have been moved back to the accepted state.
   void return_to_accepted() {
     faces_.accepted = faces_.master;
+    faces_.left_at = faces_.travel;
     faces_.moved = 0;
   }
   /// Drops everything from past evaluations that affects rounding later, so that the continuation depends on the

@@ -14,6 +14,7 @@ template <int D> struct Faces {
   Master<D> accepted = master; ///< the master in the accepted state
   double travel = 0;           ///< bound on the approach of slave and master points, summed over all moves
   double moved = 0;            ///< of a set, bound on its motion since the accepted state
+  double left_at = 0;          ///< the travel in the accepted state
 
   /// A bound on the approach of any point of the master to the slave since the accepted state.
   double master_moved() const { return master.moved_since(accepted, slave.points()); }
