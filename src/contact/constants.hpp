@@ -87,8 +87,11 @@ inline constexpr double deepest_part = 0.5;
 inline constexpr double deepest_own = 0.25;
 /// How far a point looks for feet on its own body, in elements, unless its motion may have led it farther.
 inline constexpr double near_elements = 3;
-/// Turning of normals, 10° in radians, after which points look for parts of their body that they could not see before.
+/// Turning of normals in a step, 10° in radians, with which elements that see each other are still found.
 inline constexpr double turning_margin = 0.17453292519943295;
+/// Elements that share control points and differ in direction by `least_facing` lie across a convex edge if neither is
+/// in front of the tangent planes of the other by more than this angle, as sine.
+inline constexpr double flat_sine = 0.1;
 
 // ── Points per element ───────────────────────────────────────────────────────────────────────────────────────────────
 

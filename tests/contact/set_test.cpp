@@ -3,6 +3,7 @@
 #include "contact/tangents.hpp"
 
 #include "contact/faces3d.hpp"
+#include "contact/gauss/set_points.hpp"
 #include "contact/moved.hpp"
 
 #include <cmath>
@@ -181,8 +182,10 @@ struct Roll {
   std::vector<Vec<2>> points{Vec<2>::Zero()};
   std::vector<double> angles{0};
 
-  Roll(Random& random, double most) {
-    const double a = uniform(random, -most, most), b = uniform(random, -most, most), c = uniform(random, -most, most);
+  Roll(Random& random, double most)
+      : Roll({uniform(random, -most, most), uniform(random, -most, most), uniform(random, -most, most)}) {}
+  explicit Roll(const Vec<3>& turns) {
+    const double a = turns(0), b = turns(1), c = turns(2);
     for (int i = 0; i < count; ++i) {
       const double s = (i + 0.5) / count, turn = a + b * std::cos(5 * s) + c * s;
       angles.push_back(angles.back() + turn / count);
@@ -233,6 +236,40 @@ TEST(Set, ContactOfRolledStripsIsThatOfTheirLayers) {
   EXPECT_GT(overlapping, 3);
 }
 
+/// A strip that rolls up step by step, and one that does so in a single step, in which no element is alone: the same
+/// points touch.
+TEST(Set, ElementsThatAreAloneDoNotTouch) {
+  Random random(12);
+  constexpr double thickness = 0.04;
+  const nurbs::Discretization body =
+      discretize(nurbs::rectangle(1, thickness, Eigen::Vector2d(0, 0)), {60, 1}, "N2", "north");
+  int elements = 0, alone = 0, touching = 0;
+  for (int trial = 0; trial < 12; ++trial) {
+    const Vec<3> turns(uniform(random, -14, 14), uniform(random, -14, 14), uniform(random, -14, 14));
+    Folded<2> strip(body, {"south", "east", "north", "west"}, InterfaceLaw{100, 80}, 4, thickness);
+    int closed = 0;
+    for (double scale = 0.05; scale < 1 && closed == 0; scale *= 1.03) {
+      const Roll roll(scale * turns);
+      const auto map = [&](const Vec<2>& X) { return roll.at(X(0), X(1) - thickness / 2); };
+      Folded<2> other(body, {"south", "east", "north", "west"}, InterfaceLaw{100, 80}, 4, thickness);
+      strip.bend(map).evaluate();
+      other.bend(map).evaluate();
+      const auto& points = strip.pair.formulation().points();
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        EXPECT_EQ(strip.pair.results()[i].state, other.pair.results()[i].state) << trial << ' ' << scale << ' ' << i;
+        closed += touches(strip.pair.results()[i].state);
+        if (!is_first_of_element(points, i)) continue;
+        ++elements;
+        alone += is_alone(strip.pair.formulation(), i, strip.pair.present(), strip.pair.history());
+      }
+      strip.pair.accept();
+    }
+    touching += closed > 0;
+  }
+  EXPECT_GT(alone, 9 * elements / 10);
+  EXPECT_GT(touching, 5);
+}
+
 /// The least distance of a point of a set from its admissible minima, among those that descents from all elements find.
 template <int D> double least_distance(const Surface<D>& set, const Vec<D>& x, const Lookout<D>& from, int starts) {
   double least = std::numeric_limits<double>::infinity();
@@ -260,7 +297,7 @@ template <int D> void compare_searches(Folded<D>& folded, int every, int& feet) 
   const auto& points = folded.pair.formulation().points();
   for (std::size_t i = 0; i < points.size(); i += static_cast<std::size_t>(every)) {
     Lookout<D> from = lookout(faces, points, i);
-    from.sight.reach = std::numeric_limits<double>::infinity();
+    from.sight.reach = {};
     const Vec<D> x = position(points, faces.slave, i);
     FaceGeometry<D> foot;
     const Projection<D> found = faces.master.project(x, {}, foot, from);

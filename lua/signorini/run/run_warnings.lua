@@ -37,9 +37,21 @@ end
 -- Depth relative to the smallest body's size above which points of mortar contact are in the master.
 local unseen_depth = 1e-6
 
---- A sentence for an active contact that never touched in the rows of a run, with the smallest gap at its end.
+--- True if a contact is a set of faces (among).
+local function is_set(model, contact) return rawget(model:contact_resultant(contact), "fx") == nil end
+
+--- A sentence for an active contact that never touched in the rows of a run, with the smallest gap at its end. A set of
+--- faces and the contacts that belong to it, with obstacles and of pairs, guard what may touch: one sentence for all of
+--- them, if none did.
 local function untouched(run, model, contact)
   if not model:contact_law(contact).active or ever_acts(run, model, contact) then return nil end
+  local owner = contact:match "^[^.]+"
+  if is_set(model, owner) then
+    local acts = lists.any(model:contact_names(), function(name)
+      return name:match "^[^.]+" == owner and ever_acts(run, model, name)
+    end)
+    return contact == owner and not acts and ("contact '%s' never touched"):format(contact) or nil
+  end
   if unseen(run, contact) then return nil end
   local least = math.huge
   for _, gap in ipairs(model:profile(contact).gap) do

@@ -3,6 +3,7 @@
 // that do not count, such as the back of a wall [theory 8.4].
 
 #include "contact/face/search.hpp"
+#include "contact/face/surroundings.hpp"
 
 #include <limits>
 #include <memory>
@@ -22,8 +23,8 @@ struct SetParts {
 /// Constant data of a set of faces.
 template <int D> struct FaceSet : SetParts {
   Surface<D> reference;        ///< in the reference configuration, with the elements of the moving surface
-  double size;                 ///< largest distance in the reference configuration
   std::vector<double> lengths; ///< diagonal of the largest element
+  Surroundings surroundings;
 };
 
 /// From where a point of a set looks for its foot.

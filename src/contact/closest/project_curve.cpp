@@ -175,9 +175,10 @@ Projection<2> project(const Surface<2>& surface, const ElementBoxes<2>& boxes, c
         });
       });
 
-  if (!found) { // or squares of distances overflow
+  if (!found && from.set) return nothing_near<2>();
+  if (!found) { // squares of distances overflow
     surface.locate(0, FaceCoordinates<2>(surface.interval(0, 0)[0]), 2, point);
-    return {Foot::none, from.set ? -1 : 0, 0, point.xi, std::numeric_limits<double>::max(), 0};
+    return {Foot::none, 0, 0, point.xi, std::numeric_limits<double>::max(), 0};
   }
   best.element = point.element;
   best.xi = point.xi;

@@ -374,9 +374,10 @@ Projection<3> project(const Surface<3>& surface, const ElementBoxes<3>& boxes, c
     });
   });
 
-  if (!found) { // or squares of distances overflow
+  if (!found && from.set) return nothing_near<3>();
+  if (!found) { // squares of distances overflow
     surface.locate(0, Coordinates(surface.interval(0, 0)[0], surface.interval(0, 1)[0]), 2, point);
-    return {Foot::none, from.set ? -1 : 0, 0, point.xi, std::numeric_limits<double>::max(), 0};
+    return {Foot::none, 0, 0, point.xi, std::numeric_limits<double>::max(), 0};
   }
   best.element = point.element;
   best.xi = point.xi;

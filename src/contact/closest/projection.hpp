@@ -25,6 +25,11 @@ template <int D> struct Projection {
   MasterPoint<D> point() const { return {xi, last}; }
 };
 
+/// What a point of a set of faces finds from which no foot counts.
+template <int D> Projection<D> nothing_near() {
+  return {.gap = std::numeric_limits<double>::max()};
+}
+
 /// The closest point of `surface` to x. Starts at the element and parameter of `seed` (if any), descends across element
 /// borders, then searches every element whose box is nearer than the point found. `point` receives the face's geometry
 /// at the closest point (order 2).
@@ -35,7 +40,7 @@ template <int D> struct Projection {
 /// corner.
 ///
 /// From a point of a set of faces, `from`, the closest of the admissible minima that are not too far counts; without
-/// one there is none: Foot::none with element −1.
+/// one there is none, see nothing_near(), and `point` receives nothing.
 ///
 /// point.settled is true if the last step was below `foot_tolerance`, false if the search reached its limit of
 /// iterations or of moves between elements.

@@ -23,17 +23,20 @@ template <int P> const std::array<double, 3 * (P + 1) * (P + 1)>& grid_bernstein
   return table;
 }
 
-template <int W, int D> void bounds_with(const BezierElement<D>& element, Vec<D>& lower, Vec<D>& upper) {
+/// W values, of which the first D are the position of Bézier point k.
+template <int W, int D> Eigen::Matrix<double, W, 1> bezier_point(const BezierElement<D>& element, int k) {
   using Row = Eigen::Matrix<double, W, 1>;
-  const auto point = [&](int k) {
-    const Eigen::Map<const Row> row(element.points + k * W);
-    return element.polynomial ? Row(row) : Row(row / row(W == 4 ? D : 0));
-  };
-  Row least = point(0), most = least;
-  for (int k = 1; k < element.count(); ++k) {
-    const Row x = point(k);
-    least = least.cwiseMin(x);
-    most = most.cwiseMax(x);
+  const Eigen::Map<const Row> row(element.points + k * W);
+  return element.polynomial ? Row(row) : Row(row / row(W == 4 ? D : 0));
+}
+
+/// Bounding box of point(k), k from 0 to count − 1.
+template <int D, class Point> void bounds_of(int count, const Point& point, Vec<D>& lower, Vec<D>& upper) {
+  auto least = point(0), most = least;
+  for (int k = 1; k < count; ++k) {
+    const auto x = point(k);
+    least = least.cwiseMin(x).eval();
+    most = most.cwiseMax(x).eval();
   }
   lower = least.template head<D>();
   upper = most.template head<D>();
@@ -144,7 +147,19 @@ template <int P, int D> void sample_with(const BezierElement<D>& element, double
 } // namespace
 
 template <int D> void bounds(const BezierElement<D>& element, Vec<D>& lower, Vec<D>& upper) {
-  with_width<D>(element.polynomial, [&]<int W>() { bounds_with<W>(element, lower, upper); });
+  with_width<D>(element.polynomial, [&]<int W>() {
+    bounds_of(
+        element.count(), [&](int k) { return bezier_point<W>(element, k); }, lower, upper);
+  });
+}
+
+template <int D>
+void bounds_of_motion(const BezierElement<D>& before, const BezierElement<D>& now, Vec<D>& lower, Vec<D>& upper) {
+  with_width<D>(now.polynomial, [&]<int W>() {
+    using Row = Eigen::Matrix<double, W, 1>;
+    bounds_of(
+        now.count(), [&](int k) { return Row(bezier_point<W>(now, k) - bezier_point<W>(before, k)); }, lower, upper);
+  });
 }
 
 template <int D> double least_along(const BezierElement<D>& element, const Vec<D>& direction) {
@@ -174,6 +189,7 @@ template <int D> void sample(const BezierElement<D>& element, double* positions)
 
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \
   template void bounds(const BezierElement<D>&, Vec<D>&, Vec<D>&);                                                     \
+  template void bounds_of_motion(const BezierElement<D>&, const BezierElement<D>&, Vec<D>&, Vec<D>&);                  \
   template double least_along(const BezierElement<D>&, const Vec<D>&);                                                 \
   template void locate(const BezierElement<D>&, const FaceCoordinates<D>&, int, FaceGeometry<D>&);                     \
   template void sample(const BezierElement<D>&, double*);

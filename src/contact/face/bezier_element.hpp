@@ -97,6 +97,9 @@ void bernsteins(const BezierElement<D>& element, const FaceCoordinates<D>& xi, B
 
 /// Bounding box of the Bézier points, which contains the element (convex hull property).
 template <int D> void bounds(const BezierElement<D>& element, Vec<D>& lower, Vec<D>& upper);
+/// The same of the displacements from one shape of an element to another.
+template <int D>
+void bounds_of_motion(const BezierElement<D>& before, const BezierElement<D>& now, Vec<D>& lower, Vec<D>& upper);
 /// Least n·x of the Bézier points, a lower bound for all points of the element.
 template <int D> double least_along(const BezierElement<D>& element, const Vec<D>& direction);
 /// Bounds on the derivatives from the Bézier points, those of a polynomial from their differences.

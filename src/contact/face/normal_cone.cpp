@@ -50,14 +50,9 @@ template <int D> NormalCone<D> joined(const NormalCone<D>& one, const NormalCone
   return {axis.normalized(), half};
 }
 
-template <int D> double turned(const NormalCone<D>& before, const NormalCone<D>& now) {
-  return angle<D>(before.axis, now.axis) + std::abs(now.half - before.half);
-}
-
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \
   template NormalCone<D> normal_cone(const DerivativeBounds<D>&, double);                                              \
-  template NormalCone<D> joined(const NormalCone<D>&, const NormalCone<D>&);                                           \
-  template double turned(const NormalCone<D>&, const NormalCone<D>&);
+  template NormalCone<D> joined(const NormalCone<D>&, const NormalCone<D>&);
 SIGNORINI_INSTANTIATE(2)
 SIGNORINI_INSTANTIATE(3)
 #undef SIGNORINI_INSTANTIATE

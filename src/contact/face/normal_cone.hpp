@@ -18,7 +18,5 @@ template <int D> struct NormalCone {
 template <int D> NormalCone<D> normal_cone(const DerivativeBounds<D>& bounds, double orientation);
 /// A cone around two others.
 template <int D> NormalCone<D> joined(const NormalCone<D>& one, const NormalCone<D>& other);
-/// The largest angle between the normals of a cone and those of a later one of the same part.
-template <int D> double turned(const NormalCone<D>& before, const NormalCone<D>& now);
 
 } // namespace signorini::contact

@@ -139,56 +139,70 @@ template <int D> void ElementBoxes<D>::update(const Surface<D>& surface) {
 // ── What points see ──────────────────────────────────────────────────────────────────────────────────────────────────
 
 template <int D> void ElementBoxes<D>::update_cones(const Surface<D>& surface) {
-  const bool first = facing_.empty();
   facing_.resize(nodes_.size());
-  double turned = 0;
   for (std::size_t i = nodes_.size(); i-- > 0;) {
     const Node& node = nodes_[i];
     Facing& facing = facing_[i];
     if (node.element >= 0) {
       const int sheet = surface.sheet(node.element);
-      const NormalCone<D> cone = normal_cone(bounds_[node.element], surface.sheet_data(sheet).orientation);
-      turned = std::max(turned, contact::turned(facing.cone, cone));
       facing.body = bodies_[sheet];
-      facing.cone = cone;
+      facing.cone = normal_cone(bounds_[node.element], surface.sheet_data(sheet).orientation);
     } else {
       const Facing &a = facing_[i + 1], &b = facing_[node.second];
       facing.body = a.body == b.body ? a.body : -1;
       facing.cone = joined(a.cone, b.cone);
     }
     // A normal of the cone is at least (angle to the axis) − half away.
-    const auto limit = [&](double least) {
-      return least > facing.cone.half ? std::cos(least - facing.cone.half) : 1.0;
-    };
-    facing.hides = limit(least_facing);
-    facing.stays_hidden = limit(least_facing - turning_margin);
+    facing.hides = least_facing > facing.cone.half ? std::cos(least_facing - facing.cone.half) : 1.0;
   }
-  if (!first) turned_ += 2 * turned; // the point's normal turns as well
 }
 
-template <int D> bool ElementBoxes<D>::take_turning() {
-  if (turned_ < turning_margin) return false;
-  turned_ = 0;
-  return true;
+template <int D> void ElementBoxes<D>::note_motion(const Surface<D>& accepted, const Surface<D>& now) {
+  for (std::size_t i = nodes_.size(); i-- > 0;) {
+    const Node& node = nodes_[i];
+    Box& moved = facing_[i].moved;
+    if (node.element >= 0)
+      bounds_of_motion(accepted.bezier(node.element), now.bezier(node.element), moved.lower, moved.upper);
+    else
+      moved = facing_[i + 1].moved.joined(facing_[node.second].moved);
+  }
 }
+
+namespace {
+
+/// True if a plane normal to an axis parts two elements by more than a distance.
+template <int D>
+bool are_parted(const BezierElement<D>& one, const BezierElement<D>& other, const Vec<D>& axis, double distance) {
+  return least_along<D>(one, axis) + least_along<D>(other, -axis) > distance ||
+         least_along<D>(other, axis) + least_along<D>(one, -axis) > distance;
+}
+
+} // namespace
 
 template <int D>
-double ElementBoxes<D>::distance_in_sight(const Vec<D>& x, const Sight<D>& sight, double longest) const {
-  double least2 = longest * longest;
-  const auto visit = [&](int index, const auto& self) -> void {
-    const double own = nodes_[index].box.distance2(x);
-    const int body = facing_[index].body;
-    if (own >= least2 || (body >= 0 && body != sight.body)) return;
-    if (body >= 0 && sight.normal.dot(facing_[index].cone.axis) > facing_[index].stays_hidden) return;
-    if (nodes_[index].element >= 0) {
-      least2 = own;
-      return;
-    }
-    self(index + 1, self);
-    self(nodes_[index].second, self);
+bool ElementBoxes<D>::is_alone(const Surface<D>& surface, int element, const Reach& reach,
+                               std::span<const int> left_out) const {
+  const Box& box = nodes_[leaves_[element]].box;
+  const Facing& from = facing_[leaves_[element]];
+  const double hidden = least_facing - turning_margin - from.cone.half;
+  const auto is_clear = [&](int index, const auto& self) -> bool {
+    const Node& node = nodes_[index];
+    const Facing& facing = facing_[index];
+    const bool own = facing.body == from.body;
+    const double limit = reach.of(own) + from.moved.farthest(facing.moved);
+    if (node.box.distance2(box) > limit * limit) return true;
+    const double least = hidden - facing.cone.half;
+    if (own && least > 0 && from.cone.axis.dot(facing.cone.axis) > std::cos(least)) return true;
+    if (node.element < 0) return self(index + 1, self) && self(node.second, self);
+    if (node.element == element || std::ranges::find(left_out, node.element) != left_out.end()) return true;
+    // Boxes of flat elements next to each other that lie askew overlap.
+    const BezierElement<D> one = surface.bezier(element), other = surface.bezier(node.element);
+    const Vec<D>&a = from.cone.axis, &b = facing.cone.axis;
+    if (are_parted<D>(one, other, a, limit) || are_parted<D>(one, other, b, limit)) return true;
+    if constexpr (D == 3) return are_parted<D>(one, other, a.cross(b).normalized(), limit);
+    return false;
   };
-  visit(0, visit);
-  return std::sqrt(least2);
+  return is_clear(0, is_clear);
 }
 
 /// At a foot x − x̄ = g n̄; if (x − x(ξ))·a < −depth all over the element, a the axis of a cone of normals that is

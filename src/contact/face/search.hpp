@@ -5,6 +5,8 @@
 #include "contact/face/normal_cone.hpp"
 #include "contact/face/surface.hpp"
 
+#include <algorithm>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -18,12 +20,23 @@ struct Neighborhood {
 template <int D> Neighborhood smooth_neighborhood(const Surface<D>& surface, int element);
 template <int D> bool smoothly_adjacent(const Surface<D>& surface, int element, int other);
 
-/// What a point of a set of faces sees of it: parts of its own body only if their normals differ enough from its own,
-/// and if they are near.
+/// How far a point of a set of faces, or an element of it, looks for feet: up to their motion relative to it since the
+/// accepted state, and by these lengths farther.
+struct Reach {
+  double own = std::numeric_limits<double>::infinity(); ///< for parts of its own body
+  double others = std::numeric_limits<double>::infinity();
+
+  double of(bool own_body) const { return own_body ? own : others; }
+};
+
+/// What a point of a set of faces sees of it: parts within its reach, of its own body only if their normals differ
+/// enough from its own.
 template <int D> struct Sight {
   int body = -1; ///< of the point; −1: it sees everything
   Vec<D> normal = Vec<D>::Zero();
-  double reach = std::numeric_limits<double>::infinity(); ///< how far it looks for parts of its own body
+  std::span<const int> left_out = {}; ///< elements that it never touches
+  Reach reach = {};
+  Vec<D> moved = Vec<D>::Zero(); ///< its displacement since the accepted state
 };
 
 /// Bounding boxes of a face's elements in a binary tree that halves the grid of elements; moving the face changes the
@@ -51,20 +64,35 @@ public:
   void near(const Vec<D>& x, const Sight<D>& sight, Distance2 distance2, Visit visit) const {
     if (!nodes_.empty()) descend(0, nodes_[0].box.distance2(x), x, sight, distance2, visit);
   }
+  /// True if there is any such element at any distance.
+  bool sees_any(const Vec<D>& x, const Sight<D>& sight) const {
+    bool any = false;
+    near(
+        x, sight, [&] { return any ? 0 : std::numeric_limits<double>::infinity(); }, [&](int) { any = true; });
+    return any;
+  }
   /// True only if x is farther than `depth` behind every point of an element of a set at which the line to x is normal
   /// to the face, and the distance has no other minima there.
   bool is_behind(const Surface<D>& surface, int element, const Vec<D>& x, double depth) const;
-  /// A lower bound, at most `longest`, of the distance from x to the elements of its own body that a point sees before
-  /// normals have turned by `turning_margin`.
-  double distance_in_sight(const Vec<D>& x, const Sight<D>& sight, double longest) const;
-  /// True if normals may have turned by so much, with those of the points, since the last time that it was true.
-  bool take_turning();
+
+  /// Of a set: notes how far its elements have moved since the accepted state, in which the surface was `accepted`.
+  void note_motion(const Surface<D>& accepted, const Surface<D>& now);
+  /// A bound on the motion of any element relative to a point with this displacement.
+  double relative_motion(const Vec<D>& moved) const { return facing_[0].moved.farthest({moved, moved}); }
+  /// True only if no point of an element of a set has a foot on another within this reach, also with normals turned by
+  /// `turning_margin`, except on the elements that it never touches.
+  bool is_alone(const Surface<D>& surface, int element, const Reach& reach, std::span<const int> left_out) const;
 
 private:
   struct Box {
     Vec<D> lower, upper;
     /// Squared lower bound of the distance from x to the element.
     double distance2(const Vec<D>& x) const { return (lower - x).cwiseMax(x - upper).cwiseMax(0.0).squaredNorm(); }
+    double distance2(const Box& other) const {
+      return (lower - other.upper).cwiseMax(other.lower - upper).cwiseMax(0.0).squaredNorm();
+    }
+    /// Upper bound of the distance between points of both.
+    double farthest(const Box& other) const { return (upper - other.lower).cwiseMax(other.upper - lower).norm(); }
     Box joined(const Box& other) const { return {lower.cwiseMin(other.lower), upper.cwiseMax(other.upper)}; }
   };
   /// What holds of the borders of a part, per direction and end.
@@ -78,19 +106,20 @@ private:
     Box box;
     std::array<Box, D - 1> tangents; ///< around τ_α
   };
-  /// What a node shows of its normals.
+  /// What a node of a set shows.
   struct Facing {
     int body; ///< of all its elements; −1: of several
     NormalCone<D> cone;
-    /// Cosines of the angle to the axis above which a point does not see it, now and until turned.
-    double hides, stays_hidden;
+    double hides; ///< cosine of the angle to the cone's axis above which a point does not see it
+    Box moved{Vec<D>::Zero(), Vec<D>::Zero()}; ///< around the displacements since the accepted state
   };
   /// `distance2`: of its box, squared.
   bool sees(int index, const Sight<D>& sight, double distance2) const {
     if (sight.body < 0) return true;
     const Facing& facing = facing_[index];
-    return facing.body != sight.body ||
-           (distance2 < sight.reach * sight.reach && !(sight.normal.dot(facing.cone.axis) > facing.hides));
+    const bool own = facing.body == sight.body;
+    const double reach = sight.reach.of(own) + facing.moved.farthest({sight.moved, sight.moved});
+    return distance2 <= reach * reach && !(own && sight.normal.dot(facing.cone.axis) > facing.hides);
   }
   void update_cones(const Surface<D>& surface);
   void find_unique_distances(const Surface<D>& surface);
@@ -106,7 +135,10 @@ private:
     if (own >= distance2() || !sees(index, sight, own)) return;
     const Node& node = nodes_[index];
     if (sight.body >= 0 && falls_beyond(node, node.smooth, x)) return;
-    if (node.element >= 0) return visit(node.element);
+    if (node.element >= 0) {
+      if (std::ranges::find(sight.left_out, node.element) == sight.left_out.end()) visit(node.element);
+      return;
+    }
     int near = index + 1, far = node.second;
     double to_near = nodes_[near].box.distance2(x), to_far = nodes_[far].box.distance2(x);
     if (to_far < to_near) {
@@ -123,7 +155,6 @@ private:
   std::vector<DerivativeBounds<D>> bounds_; ///< working space
   std::vector<int> bodies_;                 ///< by sheet
   std::vector<Facing> facing_;              ///< by node, of a set
-  double turned_ = 0;                       ///< bound on the turning of normals since take_turning() was true
 };
 
 } // namespace signorini::contact

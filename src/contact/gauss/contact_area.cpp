@@ -101,7 +101,9 @@ public:
   ContactArea run() {
     const std::size_t count = history_.results.size();
     result_.inside.resize(count);
-    for (std::size_t i = 0; i < count; ++i) result_.inside[i] = history_.results[i].state != ContactState::open;
+    bool any = false;
+    for (std::size_t i = 0; i < count; ++i) any |= result_.inside[i] = history_.results[i].state != ContactState::open;
+    if (!any) return std::move(result_);
     const auto& law = formulation_.parameters().law;
     // Points decide by themselves on a pressure with multipliers that are unknowns.
     if (!law || law->enforcement != Enforcement::multipliers) clear_fringe();

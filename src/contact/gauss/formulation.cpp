@@ -1,6 +1,7 @@
 #include "contact/gauss/formulation.hpp"
 
 #include "base/error.hpp"
+#include "contact/gauss/set_points.hpp"
 #include "contact/point/crossing.hpp"
 #include "os/timer.hpp"
 
@@ -31,7 +32,7 @@ template <int D> void Formulation<D>::move(const double* slave_displacement, con
     const ScopedTimer timer(counters.times_search ? &counters.search_seconds : nullptr);
     faces_.travel += faces_.master.move(master_displacement, faces_.slave.points());
   }
-  if (faces_.master.set()) faces_.moved = faces_.master_moved();
+  if (faces_.master.set()) faces_.master.note_motion(faces_.accepted);
   take_back(blocks_);
 }
 
@@ -152,24 +153,19 @@ std::vector<int> crossed(const Formulation<D>& contact, const History<D>& presen
   std::vector<int> numbers;
   if (!parameters.active(present.changes) || !parameters.active(accepted.changes)) return numbers;
   const double master_moved = faces.master_moved();
+  bool alone = false;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const PointHistory<D>& point = present.points[i];
     const PointResult<D>& result = present.results[i];
-    if (!acts(points, present, i) || result.beyond) continue;
+    if (faces.master.set() && is_first_of_element(points, i)) alone = is_alone(contact, i, present, accepted);
+    if (alone || !acts(points, present, i) || result.beyond) continue;
+    if (faces.master.set()) {
+      if (has_passed_through(contact, i, present, accepted)) numbers.push_back(static_cast<int>(i));
+      continue;
+    }
     const double touching = parameters.offset(i, present);
     const Vec<D>& before = accepted.results[i].position;
     const double moved = (result.position - before).norm() + master_moved;
-    if (faces.master.set()) {
-      // Clear by more than it and the set have moved since then, unless normals have turned (a jump of the travel)
-      const double clear = accepted.points[i].cleared - faces.left_at, travel = faces.travel - faces.left_at;
-      if (clear > (travel < faces.master.set()->size ? moved : travel)) continue;
-      Lookout<D> from = lookout(faces, points, i);
-      from.farthest = from.sight.reach = moved + std::max(touching, 0.0);
-      if (has_passed_through(faces.accepted, faces.master, before, result.position, accepted.points[i].projection,
-                             point.projection, touches(result.state), std::min(0.0, touching), from))
-        numbers.push_back(static_cast<int>(i));
-      continue;
-    }
     if (touches(result.state)) continue;
     // Points at a distance of more than their approach need no test.
     const double least = point.cleared > 0 ? point.cleared - faces.travel + touching : point.projection.gap;

@@ -94,9 +94,8 @@ public:
   virtual void commit(History<D>& present, const History<D>& accepted, double penalty_factor);
   /// To be called after the faces have been moved back to the accepted state.
   void return_to_accepted() {
+    if (faces_.master.set()) faces_.master.note_motion(faces_.master);
     faces_.accepted = faces_.master;
-    faces_.left_at = faces_.travel;
-    faces_.moved = 0;
   }
   /// Drops everything from past evaluations that affects rounding later, so that the continuation depends on the
   /// accepted state alone. Requires both faces in the accepted state.

@@ -15,13 +15,17 @@ template <int D> void GaussPointContact<D>::evaluate_part(int index, const Trial
   part.tangent = tangent;
   part.law = parameters_.law_in(trial.present.changes, trial.penalty_factor);
   FootPoints<D> feet;
+  bool alone = false;
   for (std::size_t i = part.first; i < part.last; ++i) {
-    if (i > part.first && points_.list[i].element != points_.list[i - 1].element) part.sums.close_element(tangent);
+    if (is_first_of_element(points_, i)) {
+      if (i > part.first) part.sums.close_element(tangent);
+      alone = faces_.master.set() && is_alone(*this, i, trial.present, trial.accepted, trial.controls.guessed);
+    }
     if (!acts(points_, trial.present, i)) continue;
     PointResult<D>& result = trial.present.results[i];
     result = {};
     result.position = position(points_, faces_.slave, i);
-    evaluate_point(i, trial, part, feet);
+    if (!alone) evaluate_point(i, trial, part, feet);
   }
   part.sums.close_element(tangent);
 }
@@ -99,9 +103,8 @@ std::optional<FixedContactState> GaussPointContact<D>::close(std::size_t i, cons
   const Foot foot = point.projection.foot;
   const double distance = point.projection.gap - parameters_.offset(i, trial.present) - reach;
   // A point beyond an end of the master comes behind it without a way when the end turns.
-  const bool clear = foot == Foot::regular && feet.foot.settled && distance > 0;
+  const bool clear = !faces_.master.set() && foot == Foot::regular && feet.foot.settled && distance > 0;
   point.cleared = clear ? faces_.travel + distance : 0;
-  if (faces_.master.set()) point.cleared = cleared_in_set(*this, i, trial);
   if (!opposite || (foot != Foot::regular && point.projection.gap == 0)) return {}; // no direction
   return always ? fixed : controls.closed(static_cast<int>(i), distance);
 }

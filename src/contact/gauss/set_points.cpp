@@ -1,5 +1,7 @@
 #include "contact/gauss/set_points.hpp"
 
+#include "contact/point/crossing.hpp"
+
 #include <algorithm>
 #include <limits>
 
@@ -8,52 +10,77 @@ namespace signorini::contact {
 namespace {
 
 /// The gap below which a law acts at a point.
-template <int D> double touching(const Formulation<D>& contact, std::size_t i, const Trial<D>& trial) {
-  return contact.parameters().offset(i, trial.present) + reach(*contact.parameters().law);
+template <int D> double touching(const Formulation<D>& contact, std::size_t i, const History<D>& present) {
+  return contact.parameters().offset(i, present) + reach(*contact.parameters().law);
 }
 
-/// A point that is open in the accepted state cannot be deeper than by its motion and that of the set since then: parts
-/// of its own body that are farther away do not matter.
-template <int D> double farthest(const Formulation<D>& contact, std::size_t i, const Trial<D>& trial) {
-  if (!contact.parameters().active(trial.accepted.changes)) return std::numeric_limits<double>::infinity();
-  const Projection<D>& before = trial.accepted.points[i].projection;
-  const double depth = before.foot == Foot::none ? 0 : std::max(-before.gap, 0.0);
-  const double moved = (trial.present.results[i].position - trial.accepted.results[i].position).norm();
-  return moved + contact.faces().moved + depth + std::max(touching(contact, i, trial), 0.0);
-}
-
-/// By how much more other bodies are looked for, the length of an element, which keeps points clear for a while.
-template <int D> double margin(const Formulation<D>& contact, std::size_t i) {
-  return contact.master().set()->lengths[contact.slave().sheet(contact.points().list[i].element)];
+/// Points that overlap with other bodies from the start are found by these being looked for farther away, by the length
+/// of an element.
+template <int D> Reach reach_of(const Formulation<D>& contact, int element, double own) {
+  return {own, own + contact.master().set()->lengths[contact.slave().sheet(element)]};
 }
 
 } // namespace
 
+/// A point that is open in the accepted state cannot be deeper in a part than by its motion relative to it since then.
 template <int D> Lookout<D> lookout(const Formulation<D>& contact, std::size_t i, const Trial<D>& trial) {
   Lookout<D> from = lookout(contact.faces(), contact.points(), i);
   if (!from.set) return from;
-  from.sight.reach = farthest(contact, i, trial);
-  from.farthest = from.sight.reach + margin(contact, i);
+  if (!contact.parameters().active(trial.accepted.changes)) {
+    from.sight.reach = {};
+    return from;
+  }
+  // One that its state holds closed keeps its foot at any distance.
+  if (trial.controls.fixed(static_cast<int>(i)) != FixedContactState::free) return from;
+  const Projection<D>& before = trial.accepted.points[i].projection;
+  const double depth = before.foot == Foot::none ? 0 : std::max(-before.gap, 0.0);
+  from.sight.moved = trial.present.results[i].position - trial.accepted.results[i].position;
+  from.sight.reach = reach_of(contact, contact.points().list[i].element,
+                              depth + std::max(touching(contact, i, trial.present), 0.0) + trial.controls.guessed);
+  from.farthest = from.sight.reach.others + contact.master().boxes().relative_motion(from.sight.moved);
   return from;
 }
 
-template <int D> double cleared_in_set(const Formulation<D>& contact, std::size_t i, const Trial<D>& trial) {
-  const Projection<D>& projection = trial.present.points[i].projection;
-  const PointResult<D>& result = trial.present.results[i];
-  const bool found = projection.foot != Foot::none;
-  if (result.beyond || (found && !result.settled)) return 0;
-  const double touches = touching(contact, i, trial);
-  if (found && !(projection.gap > touches)) return 0;
-  const Lookout<D> from = lookout(contact, i, trial);
-  const double nearest = found ? projection.gap : from.farthest;
-  // Parts of its own body that the point may see later count as well.
-  const double in_sight = contact.master().distance_in_sight(result.position, from.sight, nearest) - touches;
-  return in_sight > 0 ? contact.faces().travel + in_sight : 0;
+template <int D>
+bool is_alone(const Formulation<D>& contact, std::size_t first, const History<D>& present, const History<D>& accepted,
+              double guessed) {
+  const ContactPoints<D>& points = contact.points();
+  if (!contact.parameters().active(accepted.changes)) return false;
+  const int element = points.list[first].element;
+  double own = 0;
+  for (std::size_t i = first; i < points.size() && points.list[i].element == element; ++i) {
+    if (!acts(points, present, i)) continue;
+    if (present.points[i].projection.foot != Foot::none || accepted.points[i].projection.foot != Foot::none)
+      return false;
+    own = std::max(own, touching(contact, i, present));
+  }
+  const Master<D>& master = contact.master();
+  const Surroundings& around = master.set()->surroundings;
+  return master.boxes().is_alone(*master.surface(), around.numbers[element], reach_of(contact, element, own + guessed),
+                                 around[element]);
+}
+
+template <int D>
+bool has_passed_through(const Formulation<D>& contact, std::size_t i, const History<D>& present,
+                        const History<D>& accepted) {
+  const Faces<D>& faces = contact.faces();
+  const Vec<D>&before = accepted.results[i].position, &now = present.results[i].position;
+  const double offset = contact.parameters().offset(i, present), farther = std::max(offset, 0.0);
+  Lookout<D> from = lookout(faces, contact.points(), i);
+  Sight<D> near = from.sight;
+  near.reach = {farther, farther};
+  near.moved = now - before;
+  if (!faces.master.boxes().sees_any(now, near)) return false;
+  from.farthest = from.sight.reach.own = farther + (now - before).norm() + faces.master_moved();
+  return has_passed_through(faces.accepted, faces.master, before, now, accepted.points[i].projection,
+                            present.points[i].projection, touches(present.results[i].state), std::min(0.0, offset),
+                            from);
 }
 
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \
   template Lookout<D> lookout(const Formulation<D>&, std::size_t, const Trial<D>&);                                    \
-  template double cleared_in_set(const Formulation<D>&, std::size_t, const Trial<D>&);
+  template bool is_alone(const Formulation<D>&, std::size_t, const History<D>&, const History<D>&, double);            \
+  template bool has_passed_through(const Formulation<D>&, std::size_t, const History<D>&, const History<D>&);
 SIGNORINI_INSTANTIATE(2)
 SIGNORINI_INSTANTIATE(3)
 #undef SIGNORINI_INSTANTIATE

@@ -1,5 +1,5 @@
 #pragma once
-// How far points of a set of faces look for feet, and how long they stay open [theory 8.4].
+// Which points of a set of faces look for feet, and how far [theory 8.4].
 
 #include "contact/gauss/formulation.hpp"
 
@@ -8,7 +8,19 @@ namespace signorini::contact {
 /// From where point i looks for its foot in a trial state, and how far; otherwise every foot counts.
 template <int D> Lookout<D> lookout(const Formulation<D>& contact, std::size_t i, const Trial<D>& trial);
 
-/// The value of Faces::travel up to which point i of a set stays open, with the projection of the trial state.
-template <int D> double cleared_in_set(const Formulation<D>& contact, std::size_t i, const Trial<D>& trial);
+/// True if i is the first point of its element.
+template <int D> bool is_first_of_element(const ContactPoints<D>& points, std::size_t i) {
+  return i == 0 || points.list[i].element != points.list[i - 1].element;
+}
+/// True only if the points of an element of a set, of which `first` is the first, are open and touch nothing on the way
+/// from the accepted to the present state. `guessed`: see Controls.
+template <int D>
+bool is_alone(const Formulation<D>& contact, std::size_t first, const History<D>& present, const History<D>& accepted,
+              double guessed = 0);
+/// True if point i of a set, which `is_alone` does not tell to be open, has passed through a part of it since the
+/// accepted state (crossing.hpp).
+template <int D>
+bool has_passed_through(const Formulation<D>& contact, std::size_t i, const History<D>& present,
+                        const History<D>& accepted);
 
 } // namespace signorini::contact

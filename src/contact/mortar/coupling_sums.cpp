@@ -32,7 +32,7 @@ template <int D> Block& CouplingSums<D>::find(int slave_element, int master_elem
 
 template <int D>
 void CouplingSums<D>::add(const ContactPoints<D>& points, std::size_t i, const CoupledPoint<D>& point) {
-  const auto& [slave, master, accepted, travel, moved, left_at] = faces_;
+  const auto& [slave, master, accepted, travel] = faces_;
   const bool rigid = master.rigid(); // the same nodes for all elements
   const int e = points.list[i].element;
   const bool own_columns = point.slip_point && !rigid && point.slip_point->element != point.foot->element;

@@ -42,7 +42,7 @@ template <int D> void MultiplierRows<D>::clear() {
 template <int D> Strip& MultiplierRows<D>::find(int slave_element, int master_element, int slip_element, int count) {
   for (auto strip = strips_.rbegin(); strip != strips_.rend() && strip->slave_element == slave_element; ++strip)
     if (strip->master_element == master_element && strip->slip_element == slip_element) return *strip;
-  const auto& [slave, master, accepted, travel, moved, left_at] = faces_;
+  const auto& [slave, master, accepted, travel] = faces_;
   Strip& strip = reuse(spare_, strips_);
   strip.slave_element = slave_element;
   strip.master_element = master_element;
@@ -60,7 +60,7 @@ template <int D>
 void MultiplierRows<D>::add(const ContactPoints<D>& points, std::size_t i, const FacePoint<D>& foot,
                             const FacePoint<D>* slip_point, const LocalRows<D>& local, int count, double area,
                             const std::vector<double>& weights) {
-  const auto& [slave, master, accepted, travel, moved, left_at] = faces_;
+  const auto& [slave, master, accepted, travel] = faces_;
   const bool rigid = master.rigid(); // the same nodes for all elements
   const bool own_columns = slip_point && !rigid && slip_point->element != foot.element;
   Strip& strip = find(points.list[i].element, rigid ? 0 : foot.element, own_columns ? slip_point->element : -1, count);

@@ -51,10 +51,11 @@ namespace {
 template <int D> inline Vec<D> sum_at(const ContactPoints<D>& points, const Surface<D>& slave, std::size_t i, int k) {
   const int element = points.list[i].element, n = slave.functions_on(element);
   const int* nodes = slave.nodes(element);
-  const double* values = points.functions(i) + k * n;
-  Vec<D> sum = Vec<D>::Zero();
-  for (int a = 0; a < n; ++a) sum += values[a] * slave.points().col(nodes[a]);
-  return sum;
+  const double *values = points.functions(i) + k * n, *x = slave.points().data();
+  std::array<double, D> sum{};
+  for (int a = 0; a < n; ++a)
+    for (int d = 0; d < D; ++d) sum[d] += values[a] * x[D * nodes[a] + d];
+  return Eigen::Map<const Vec<D>>(sum.data());
 }
 
 } // namespace

@@ -13,8 +13,6 @@ template <int D> struct Faces {
   Master<D> master;
   Master<D> accepted = master; ///< the master in the accepted state
   double travel = 0;           ///< bound on the approach of slave and master points, summed over all moves
-  double moved = 0;            ///< of a set, bound on its motion since the accepted state
-  double left_at = 0;          ///< the travel in the accepted state
 
   /// A bound on the approach of any point of the master to the slave since the accepted state.
   double master_moved() const { return master.moved_since(accepted, slave.points()); }
@@ -32,8 +30,11 @@ template <int D> struct Faces {
 template <int D> Lookout<D> lookout(const Faces<D>& faces, const ContactPoints<D>& points, std::size_t i) {
   const FaceSet<D>* set = faces.master.set();
   if (!set) return {};
-  const int sheet = faces.slave.sheet(points.list[i].element);
-  const Sight<D> sight{set->bodies[sheet], normal_at(points, faces.slave, i), near_elements * set->lengths[sheet]};
+  const int element = points.list[i].element, sheet = faces.slave.sheet(element);
+  const Sight<D> sight{.body = set->bodies[sheet],
+                       .normal = normal_at(points, faces.slave, i),
+                       .left_out = set->surroundings[element],
+                       .reach = {.own = near_elements * set->lengths[sheet]}};
   return {set, sheet, sight, points.reference[i], points.outward[i]};
 }
 

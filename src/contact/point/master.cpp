@@ -31,15 +31,14 @@ template <int D> Master<D>::Master(Surface<D> face, double opposite) : rigid_(fa
 
 template <int D>
 Master<D>::Master(Surface<D> face, double opposite, SetParts parts)
-    : rigid_(false), surface_(std::move(face)), boxes_(parts.bodies) {
+    : rigid_(false), surface_(face), boxes_(parts.bodies) {
   surface_->extend(end_extension, end_extension * opposite);
   boxes_.update(*surface_);
-  const auto& points = surface_->reference();
-  const double size = (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm();
   std::vector<double> lengths(parts.bodies.size(), 0.0);
   for (int e = 0; e < surface_->elements(); ++e)
     lengths[surface_->sheet(e)] = std::max(lengths[surface_->sheet(e)], std::sqrt(boxes_.diagonal2(e)));
-  set_ = std::make_shared<const FaceSet<D>>(FaceSet<D>{std::move(parts), *surface_, size, std::move(lengths)});
+  set_ = std::make_shared<const FaceSet<D>>(
+      FaceSet<D>{std::move(parts), *surface_, std::move(lengths), find_surroundings(face, *surface_)});
 }
 
 template <int D>
@@ -61,7 +60,6 @@ template <int D> double Master<D>::move(const double* displacement, const PointC
   else if (distance = motion_.move(displacement, opposite); surface_ && distance > 0)
     surface_->move(motion_.displacements(surface_->reference()).data());
   if (surface_ && (!rigid_ || distance > 0)) boxes_.update(*surface_);
-  if (set_ && boxes_.take_turning()) distance += 2 * set_->size;
   return distance;
 }
 

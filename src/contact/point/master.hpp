@@ -35,8 +35,7 @@ public:
   int most_functions() const { return rigid_ ? motion_.nodes() : surface_->most_functions(); }
 
   /// Sets displacements, D values per function of the body, or per node of the obstacle. Returns an upper bound of the
-  /// distance by which any point has come closer to the convex hull of `opposite` (D × points); of a set more than any
-  /// distance in it where points may see parts that they did not see before.
+  /// distance by which any point has come closer to the convex hull of `opposite` (D × points).
   double move(const double* displacement, const PointColumns<D>& opposite = {});
   /// The bound of move() between another position of the master and this one.
   double moved_since(const Master& before, const PointColumns<D>& opposite) const;
@@ -45,10 +44,10 @@ public:
   /// Closed-form shapes have no ends. `from`: of a set, see lookout().
   Projection<D> project(const Vec<D>& x, const Projection<D>& seed, FaceGeometry<D>& point,
                         const Lookout<D>& from = {}) const;
+  /// The boxes of a face's elements.
+  const ElementBoxes<D>& boxes() const { return boxes_; }
   /// Of a set, see ElementBoxes.
-  double distance_in_sight(const Vec<D>& x, const Sight<D>& sight, double longest) const {
-    return boxes_.distance_in_sight(x, sight, std::min(longest, set_->size));
-  }
+  void note_motion(const Master& accepted) { boxes_.note_motion(*accepted.surface_, *surface_); }
   /// True only if project() would find an open end; a quick test, which many points beyond an end pass.
   bool is_beyond_ends(const Vec<D>& x) const { return boxes_.is_beyond_ends(x); }
   /// Outward unit normal at a closest point other than a corner.

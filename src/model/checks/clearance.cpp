@@ -35,11 +35,24 @@ template <int D> struct Overlap {
   double width;      ///< of the part that overlaps: diagonal of the box around its points
 };
 
+/// The gaps of all points; of a set only where parts are near, as its evaluation has found them.
+template <int D>
+std::vector<double> near_gaps(const contact::Formulation<D>& contact, const contact::History<D>& history) {
+  if (!contact.master().set()) return contact::gaps(contact, history);
+  std::vector<double> gaps;
+  for (std::size_t i = 0; i < history.points.size(); ++i) {
+    const contact::Projection<D>& found = history.points[i].projection;
+    gaps.push_back(found.foot == contact::Foot::none ? std::numeric_limits<double>::infinity()
+                                                     : found.gap - contact.parameters().offset(i, history));
+  }
+  return gaps;
+}
+
 /// Among all points that act: the mean gap of a multiplier may be open although some of its points are deep in the
 /// master.
 template <int D> Overlap<D> overlap_of(const contact::Formulation<D>& contact, const contact::History<D>& history) {
   const double shim = std::max(0.0, contact.parameters().offset(history.changes)); // on purpose
-  const std::vector<double> gaps = contact::gaps(contact, history), &overlap = contact.parameters().overlap;
+  const std::vector<double> gaps = near_gaps(contact, history), &overlap = contact.parameters().overlap;
   Overlap<D> deepest{-std::numeric_limits<double>::infinity(), Vec<D>::Zero(), 0, 0};
   Vec<D> low = Vec<D>::Constant(std::numeric_limits<double>::infinity()), high = -low;
   for (std::size_t i = 0; i < gaps.size(); ++i) {

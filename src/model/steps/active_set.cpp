@@ -84,19 +84,24 @@ template <int D> bool ActiveSet<D>::record(const Histories& histories, double re
 
 template <int D> typename ActiveSet<D>::Entry ActiveSet<D>::entry(const Histories& histories, double residual) const {
   Entry entry{residual};
+  const std::size_t count = contacts_.empty() ? 0 : contacts_.back().last;
+  entry.states.resize(count);
+  entry.gaps.resize(count);
+  entry.frictions.assign(count, Vec<D>::Zero());
+  std::size_t n = 0;
   for (std::size_t k = 0; k < histories.size(); ++k) {
     const contact::History<D>& history = histories[k];
     const bool points = history.multipliers.empty();
-    for (int i = 0; i < constraints(history); ++i) {
+    for (int i = 0; i < constraints(history); ++i, ++n) {
       const contact::Constraint one = constraint(history, i);
-      entry.states.push_back(code(one));
-      entry.closed += is_closed(entry.states.back());
+      entry.states[n] = code(one);
+      entry.closed += is_closed(entry.states[n]);
       // All that were closed in the last evaluation are projected in each.
-      entry.gaps.push_back(points ? history.points[i].projection.gap -
-                                        contacts_[k].parameters->offset(static_cast<std::size_t>(i), history)
-                                  : history.multiplier_results[i].gap);
-      const Vec<D>& friction = points ? history.results[i].friction : history.multiplier_results[i].friction;
-      entry.frictions.push_back(one.state == contact::ContactState::slip ? friction : Vec<D>(Vec<D>::Zero()));
+      entry.gaps[n] = points ? history.points[i].projection.gap -
+                                   contacts_[k].parameters->offset(static_cast<std::size_t>(i), history)
+                             : history.multiplier_results[i].gap;
+      if (one.state == contact::ContactState::slip)
+        entry.frictions[n] = points ? history.results[i].friction : history.multiplier_results[i].friction;
     }
   }
   return entry;

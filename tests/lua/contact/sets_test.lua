@@ -145,6 +145,23 @@ check.case("a body that cannot touch itself: the path without contact", function
   check.equal(gap[1] ~= gap[1], true) -- nan: nothing is opposite
 end)
 
+check.case("so does a bent block in space, whose faces meet at edges", function()
+  local function bent(all)
+    local bar = sg.body { patch = sg.shapes.block { size = { 5, 1, 1 } }, elements = { 7, 2, 2 }, order = "N2",
+                          material = soft }
+    local far = sg.rigid.plane { point = { 0, 0, -100 }, normal = { 0, 0, 1 } }
+    local contact = all and { among = "all" } or { slave = bar:face "front", master = far }
+    local model = sg.model { bodies = { bar = bar }, contacts = { c = contact },
+                             supports = { a = { on = bar:face "west", fix = "xyz" },
+                                          b = { on = bar:face "east", drive = "xz" } } }
+    return solved(model, { { name = "bend", steps = 3, b = { -0.5, 2 } } })
+  end
+  local free, all = bent(false), bent(true)
+  check.equal(all.iterations, free.iterations)
+  for _, column in ipairs { "b.fx", "b.fz" } do check.equal(last(all, column), last(free, column)) end
+  check.equal(check.warnings(all, "never touched"), { "contact 'c' never touched" })
+end)
+
 -- ── All with all ─────────────────────────────────────────────────────────────────────────────────────────────────────
 
 check.case("all faces with all: blocks of equal width as contacts of pairs of faces", function()
