@@ -23,7 +23,7 @@ template <int D> void GaussPointContact<D>::evaluate_part(int index, const Trial
     }
     if (!acts(points_, trial.present, i)) continue;
     PointResult<D>& result = trial.present.results[i];
-    result = {};
+    if (!alone || !is_empty(result)) result = {}; // those of whole faces are many bytes
     result.position = position(points_, faces_.slave, i);
     if (!alone) evaluate_point(i, trial, part, feet);
   }

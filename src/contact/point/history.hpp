@@ -28,6 +28,11 @@ template <int D> struct PointResult {
   double worn = 0;                        ///< depth by which it wears in the step
 };
 
+/// True if nothing but the position is known of a point, which is open.
+template <int D> bool is_empty(const PointResult<D>& point) {
+  return point.state == ContactState::open && point.law_area == 0 && !point.beyond && point.settled;
+}
+
 /// `area` per `law_area`: the law's pressure is `pressure` times this.
 template <int D> double stretch(const PointResult<D>& point) {
   return point.law_area != 0 ? point.area / point.law_area : 1;
