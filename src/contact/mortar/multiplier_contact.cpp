@@ -99,10 +99,13 @@ void MultiplierContact<D>::evaluate_point(std::size_t i, const Trial<D>& trial, 
   const double reference = points_.list[i].reference_area;
   const FixedContactState state = trial.controls.fixed(static_cast<int>(i));
   const InterfaceLaw& law = *part.law;
-  // A point with a pressure is closed up to the gap pressure/ε.
-  const double reach = faces_.travel + trial.controls.guessed + multiplier.norm() / law.normal;
+  // A point with a pressure is closed up to the gap pressure/ε, and is projected: the weight of its condition depends
+  // on whether it is beyond an end.
+  const double closed_up_to = multiplier.norm() / law.normal;
+  const bool clear = faces_.travel + trial.controls.guessed + closed_up_to < point.cleared &&
+                     closed_up_to <= distance_rounding * trial.present.results[i].position.norm();
   if (!parameters_.active(trial.present.changes) || state == FixedContactState::open ||
-      (state == FixedContactState::free && reach < point.cleared)) {
+      (state == FixedContactState::free && clear)) {
     add_condition(i, reference, open, part.tangent);
     return;
   }
