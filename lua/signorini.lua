@@ -30,6 +30,8 @@ sg.reference = later("signorini.study.reference", "read")
 sg.grid = later "signorini.study.grid"
 sg.study = later("signorini.study.study", "new")
 sg.recommend = later "signorini.study.recommend"
+sg.gradients = later("signorini.gradients.gradients", "gradients")
+sg.check_gradients = later("signorini.gradients.check")
 sg.convergence_map = later "signorini.study.convergence_map"
 sg.work_precision = later "signorini.study.work_precision"
 sg.cheapest = later "signorini.study.cheapest"
@@ -47,7 +49,8 @@ require "signorini.scene.compound_type" (sg)
 -- Types that the modules of their objects define.
 local defined_in = { study = "signorini.study.study", patch_list = "signorini.scene.patch_list",
                      comparison = "signorini.study.work_precision",
-                     map = "signorini.study.convergence_map", series = "signorini.output.pvd" }
+                     map = "signorini.study.convergence_map", gradients = "signorini.gradients.gradients",
+                     series = "signorini.output.pvd" }
 setmetatable(types, { __index = function(_, name)
   if not defined_in[name] then return nil end
   require(defined_in[name])

@@ -27,6 +27,8 @@ public:
   /// accurate as the solver can, where that is not so. Call after a successful factor(), for any number of right-hand
   /// sides. Returns false if the matrix turns out to be singular to working precision.
   virtual bool solve(double* b, bool fully = false) = 0;
+  /// Does so to a relative residual, by the factors at hand and without an effect on what the solver does later.
+  virtual bool solve_aside(double* b, double /*tolerance*/) { return solve(b, true); }
   /// True if factors at hand show that the symmetric part of other values is positive definite; false if they do not.
   virtual bool proves_definite(const double*) const { return false; }
   virtual LinearKind kind() const = 0;

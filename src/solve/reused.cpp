@@ -149,6 +149,7 @@ public:
 
   bool factor(const double* values) override;
   bool solve(double* b, bool fully) override;
+  bool solve_aside(double* b, double tolerance) override;
   LinearKind kind() const override { return kind_; }
   bool adopt(const Pattern& pattern) override;
   void watch(const std::vector<int>& unknowns) override { preconditioner_.watch(unknowns); }
@@ -221,6 +222,18 @@ bool Reused::solve(double* b, bool fully) {
     left = rest.norm() / norm;
   }
   Eigen::Map<VectorX>(b, pattern_.size) = sum;
+  return true;
+}
+
+bool Reused::solve_aside(double* b, double tolerance) {
+  const VectorX right = Eigen::Map<const VectorX>(b, pattern_.size);
+  if (right.norm() == 0) return true;
+  VectorX solution;
+  const KrylovReport report =
+      gmres_([this](const double* x, double* y) { matrix_.multiply(x, y); },
+             [this](double* z) { return preconditioner_.apply(z); }, right, tolerance, most_iterations, solution);
+  if (!std::isfinite(report.reduction)) return false;
+  Eigen::Map<VectorX>(b, pattern_.size) = solution;
   return true;
 }
 

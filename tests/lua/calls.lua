@@ -47,6 +47,11 @@ function make.compound()
 end
 function make.snapshot() return make.model():snapshot() end
 function make.run() return make.model():run { { steps = 1, bed = 0.01 } } end
+function make.gradients()
+  return sg.gradients { at = { depth = 0.01 }, scene = function(q)
+    return make.model(), { { steps = 1, bed = q.depth } }
+  end }
+end
 function make.state() return make.run():states()[1] end
 function make.study()
   local study = sg.study { name = "calls", folder = folder .. "/study", cases = sg.grid { mesh = { 1, 2 } },

@@ -80,7 +80,11 @@ end
 
 -- ── Models ───────────────────────────────────────────────────────────────────────────────────────────────────────────
 
+--- Moduli, penalties, strengths and loads are in a unit of stress, 1 unless a test scales it.
+local function unit(scene) return scene.unit or 1 end
+
 local function material(scene, E)
+  E = E * unit(scene)
   if scene.material == "linear" then return sg.linear_elastic{ E = E, nu = 0.3 } end
   return sg.neo_hookean{ E = E, nu = scene.material == "projected" and 0.45 or 0.3 }
 end
@@ -156,11 +160,14 @@ end
 
 --- The contact of a law.
 local function contact_of(scene, slave, master)
-  if scene.law == "adhesion" then return { slave = slave, master = master, adhesion = { hamaker = 5e-4, r0 = 0.1 } } end
-  local contact = { slave = slave, master = master, penalty = scene.penalty,
-                    friction = { mu = scene.mu, penalty = scene.penalty } }
+  if scene.law == "adhesion" then
+    return { slave = slave, master = master, adhesion = { hamaker = 5e-4 * unit(scene), r0 = 0.1 } }
+  end
+  local penalty = scene.penalty * unit(scene)
+  local contact = { slave = slave, master = master, penalty = penalty,
+                    friction = { mu = scene.mu, penalty = penalty } }
   if scene.law == "cohesive" then
-    contact.cohesive = { strength = 0.2, energy = 0.01 }
+    contact.cohesive = { strength = 0.2 * unit(scene), energy = 0.01 * unit(scene) }
     return contact
   end
   contact.offset = scene.offset
@@ -199,18 +206,20 @@ function scenes.build(scene)
     grip.drive, grip.free = "x", scene.space and "z" or "y"
     if scene.space then grip.drive = "xy" end
     if scene.upper == "turning disc" then grip.rotate, grip.angle = true, "free" end
-    loads.weight = { on = faces.body, force = scene.space and { 0, 0, -0.05 } or { 0, -0.05 } }
+    local weight = -0.05 * unit(scene)
+    loads.weight = { on = faces.body, force = scene.space and { 0, 0, weight } or { 0, weight } }
   end
   local turns = scene.turns and scene.upper == "block" and not scene.space and not scene.revolved
   if turns then grip.on, grip.rotate = grip.on[1], true end
   if scene.load == "gas" then
-    loads.gas = { on = slab:face(right), pressure = 0.05, follower = true }
+    loads.gas = { on = slab:face(right), pressure = 0.05 * unit(scene), follower = true }
   elseif scene.load == "gravity" then
-    loads.gravity = { on = slab, force = scene.space and { 0, 0, -0.02 } or { 0, -0.02 } }
+    loads.gravity = { on = slab, force = scene.space and { 0, 0, -0.02 * unit(scene) } or { 0, -0.02 * unit(scene) } }
   end
   local supports = { bed = { on = slab:face(bottom), fix = all }, grip = grip }
   if scene.load == "spring" and not scene.revolved then
-    supports.wall = { on = slab:face(left), spring = scene.space and { 1, 2, 0 } or { 1, 2 } }
+    local k = unit(scene)
+    supports.wall = { on = slab:face(left), spring = scene.space and { k, 2 * k, 0 } or { k, 2 * k } }
   end
   if scene.revolved then supports.axis = { on = slab:face(left), symmetry = true } end
   local model = sg.model{

@@ -50,16 +50,6 @@ end
 
 -- ── The path ─────────────────────────────────────────────────────────────────────────────────────────────────────────
 
-local function begin_stage(model, stage)
-  local starts = stage.starts or {} -- those of a resumed stage
-  stage.fits = stage.fits or contact_changes.starts(model, stage)
-  stage.starts, stage.now = starts, {}
-  for name in pairs(stage.targets) do
-    starts[name], stage.now[name] = starts[name] or model:target(name), {}
-  end
-  if stage.duration then starts[stages.clock] = starts[stages.clock] or { model:time() } end
-end
-
 --- Records why a step failed; searches for a turning point, by arc length, unless the reason is known.
 local function fail(run, step, result)
   local began, known = core.now(), steps.is_wanted(result) or steps.is_hopeless(result)
@@ -77,6 +67,7 @@ local function take(step, run, options)
     if not result.converged then return result end
     run:record_step()
     if options.measure then run:record_measured(options.measure(step.model)) end
+    if run.neighbors then run.neighbors:record(options.measure) end
     step.display:step(step.stage.name)
     if not options.on_step then return result end
     step.display:clear()
@@ -86,7 +77,8 @@ local function take(step, run, options)
     if answer and answer ~= "stop" and answer ~= "cut" then run:record_extra(answer) end
     if answer ~= "cut" then return result, answer end
     run:drop_step()
-    step.model:restore(step.start)
+    if run.neighbors then run.neighbors:drop() end
+    step:restore(step.start)
     step.done = 0
     if not options.policy:shorten(step) then
       return { converged = false, reason = "cut", message = "on_step requested shorter steps, but these are not "
@@ -105,7 +97,8 @@ local function close(run, model, display, early, record, is_level)
   return run
 end
 
---- `before`: the runs that have led to the present state, as far as they are known.
+--- `given.neighbors`: models that follow the run, see gradients/neighbors.lua. `before`: the runs that have led to the
+--- present state, as far as they are known.
 local function follow(model, list, given, before)
   local path, total = stages.read(model, list, given)
   local options = read_options(model, lists.merged(given), path, total)
@@ -115,7 +108,7 @@ local function follow(model, list, given, before)
   local place = checkpoints:begin(model, run, path, policy)
   run.used = { predictor = options.predictor, fallback = options.fallback, adaptive = options.step.adaptive,
                arc_length = options.arc_length, tolerance = options.solver.tolerance }
-  run.companions = run.companions or given.companions
+  run.companions, run.neighbors = run.companions or given.companions, given.neighbors
   if options.errors and not run.companions then
     run.companions = require "signorini.errors.companions".of_run(model, list, given, before)
   end
@@ -125,7 +118,8 @@ local function follow(model, list, given, before)
     and require("signorini.output.hdf5").start(where, model, run, options, path[place.stage].name)
   for index = place.stage, #path do
     local stage = path[index]
-    begin_stage(model, stage)
+    Step.begin_stage(model, stage)
+    if run.neighbors then run.neighbors:begin_stage(index) end
     if place.number == 0 then run:begin_stage(model, stage) end
     for number = place.number + 1, stage.steps do
       options.following:step(model, run)

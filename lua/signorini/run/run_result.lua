@@ -26,7 +26,7 @@ core.types.run = Run
 
 -- Fields that some runs have, or only until they end. All other unknown names are misspelled.
 local private = named.strict_type(Run, "run",
-  "cause failure timings recorders before step model outline singular companions errors settings")
+  "cause failure timings recorders before step model outline singular companions neighbors errors settings")
 
 function Run:__newindex(name, value)
   if not (rawget(self, "recorders") or private[name]) then -- the run has ended
@@ -244,7 +244,7 @@ function Run:finish(model, early)
     rest = rest - spent[account]
   end
   spent.rest = math.max(0, rest)
-  self.timings, self.recorders, self.before, self.step = spent, nil, nil, nil
+  self.timings, self.recorders, self.before, self.step, self.neighbors = spent, nil, nil, nil, nil
   self.fallbacks = controls.counts(self.histories)
   energy_balance.note(self.energies, model)
   jumps.close(self.jumps)

@@ -20,13 +20,42 @@ local longest_chord = 1.25 -- of an increment, in units of its length along the 
 local Step = {}
 Step.__index = Step
 
+--- Notes where a stage begins.
+function Step.begin_stage(model, stage)
+  local starts = stage.starts or {} -- those of a resumed stage
+  stage.fits = stage.fits or contact_changes.starts(model, stage)
+  stage.starts, stage.now = starts, {}
+  for name in pairs(stage.targets) do
+    starts[name], stage.now[name] = starts[name] or model:target(name), {}
+  end
+  if stage.duration then starts[stages.clock] = starts[stages.clock] or { model:time() } end
+end
+
 --- Begins step `number` of a stage.
 function Step.begin(model, run, stage, number, options, display)
   run:begin_step()
-  return setmetatable({
+  local step = setmetatable({
     model = model, run = run, stage = stage, number = number, options = options, solver = options.solver, done = 0,
-    start = options.on_step and model:snapshot(), display = display,
+    display = display,
   }, Step)
+  step.start = options.on_step and step:snapshot()
+  return step
+end
+
+--- The same step of another model, which follows this one.
+function Step:beside(model, stage, options)
+  return setmetatable({ model = model, run = self.run, stage = stage, number = self.number, options = options }, Step)
+end
+
+--- The accepted state, with those of the run's neighbors.
+function Step:snapshot()
+  local neighbors = self.run.neighbors
+  return { model = self.model:snapshot(), neighbors = neighbors and neighbors:snapshot() }
+end
+
+function Step:restore(saved)
+  self.model:restore(saved.model)
+  if saved.neighbors then self.run.neighbors:restore(saved.neighbors) end
 end
 
 --- Prescribes the targets at the fraction `to` of the step.
@@ -114,6 +143,7 @@ function Step:try(solver, to, fallback)
   if solver.verbose then require("signorini.run.verbose").attempt(self, to, fallback) end
   local result = self:solve(solver, to)
   if result.converged then
+    if self.run.neighbors then self.run.neighbors:follow(self, to, solver) end
     self.model:accept()
     local length = self.run.step.length
     self.run.step.length = length and length + self.model:last_length()
@@ -132,7 +162,7 @@ end
 --- may leave the path.
 function Step:attempt(to, shorter)
   local run, tries, last = self.run, self.options.tries, not shorter and not self.options.arc_length
-  if self.done == 0 and to < 1 then self.start = self.start or self.model:snapshot() end
+  if self.done == 0 and to < 1 then self.start = self.start or self:snapshot() end
   local plain = run.wary > 0 and tries.tangent
   local first = self:try(self:limited(plain and plain.solver or self.solver) or self.solver, to)
   run.wary = math.max(0, run.wary - 1)
@@ -151,14 +181,14 @@ end
 
 --- The whole step at once from the state before it, whatever fraction is accepted; after a failure this is restored.
 function Step:attempt_from_start()
-  local saved, done, account = self.model:snapshot(), self.done, self.run.step
+  local saved, done, account = self:snapshot(), self.done, self.run.step
   local increments, length = account.increments, account.length
-  self.model:restore(self.start)
+  self:restore(self.start)
   self.done, self.again, account.increments, account.length = 0, true, 0, length and 0
   local result = self:attempt(1)
   self.again = nil
   if not result.converged then
-    self.model:restore(saved)
+    self:restore(saved)
     self.done, account.increments, account.length = done, increments, length
   end
   return result

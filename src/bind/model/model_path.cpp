@@ -6,6 +6,7 @@
 #include "model/checks/axis.hpp"
 #include "model/diagnosis/diagnosis.hpp"
 #include "model/files/checkpoint.hpp"
+#include "model/gradients/neighbors.hpp"
 #include "model/scene/turning.hpp"
 #include "model/steps/arc.hpp"
 #include "model/steps/equilibrium.hpp"
@@ -105,6 +106,31 @@ template <int D> int solve_arc(model::Model<D>& model, const Arguments& a, lua_S
   push_report(L, report);
   set_field(L, "fraction", report.fraction);
   return 1;
+}
+
+/// core.follow_run(model, { plus, minus, step, size, … of model:solve_step }): see gradients/neighbors.hpp; a table {
+/// passes, defect, forces, kinks, share, contact, place }, or { failure }.
+template <int D> int follow_run(model::Model<D>& model, const Arguments& a, lua_State* L) {
+  const model::Neighbors<D> neighbors{*a.object<Model<D>>("plus"), *a.object<Model<D>>("minus"), a.get<double>("step"),
+                                      a.get<double>("size")};
+  const model::FollowReport<D> report = model::follow_run(model, neighbors, read_step_options(a));
+  if (!report.failure.code.empty()) {
+    push_fields(L, "failure", worded(report.failure));
+    return 1;
+  }
+  push_fields(L, "passes", report.passes, "defect", report.defect, "forces", report.forces, "kinks",
+              report.kinks.points, "share", report.kinks.share);
+  if (report.kinks.contact >= 0) {
+    set_field(L, "contact", model.system.scene.contacts[report.kinks.contact].name);
+    set_field(L, "place", std::vector<double>(report.kinks.place.begin(), report.kinks.place.end()));
+  }
+  return 1;
+}
+
+/// core.neighbor_difference(model, other): see gradients/neighbors.hpp; nil if there is none.
+template <int D> std::optional<std::string> neighbor_difference(const Model<D>& model, const Model<D>& other) {
+  const Message found = model::difference(*model, *other);
+  return found.code.empty() ? std::nullopt : std::optional(worded(found));
 }
 
 template <int D> Snapshot<D> snapshot(const Model<D>& model) {
@@ -250,9 +276,16 @@ constexpr Function model_path_entries[] = {
     {"diagnose", call<diagnose<D>>},
 };
 
+template <int D>
+constexpr Function model_path_core[] = {
+    {"follow_run", call<follow_run<D>>},
+    {"neighbor_difference", call<neighbor_difference<D>>},
+};
+
 } // namespace
 
 void open_path(lua_State* L) {
+  register_functions<Model<2>, Model<3>>(L, "core", model_path_core<2>, model_path_core<3>);
   register_type<Model<2>, Model<3>>(L, model_path_entries<2>, model_path_entries<3>);
 }
 

@@ -48,6 +48,10 @@ public:
   /// Overwrites b by K⁻¹ b; requires factor(). Returns false if the tangent is singular. `fully`: see
   /// solve::LinearSolver.
   bool solve(VectorX& b, bool fully = false);
+  /// True if there are factors.
+  bool is_ready() const { return solver_ != nullptr; }
+  /// Overwrites b by K⁻¹ b to a relative residual, without an effect on later solutions; requires is_ready().
+  bool solve_aside(VectorX& b, double tolerance) { return b.size() == 0 || solver_->solve_aside(b.data(), tolerance); }
   /// True if the present factors show that the symmetric part of a tangent is positive definite.
   bool proves_definite(const Tangent& tangent) const;
   /// Drops the solver, but keeps its statistics and its choice.

@@ -52,6 +52,12 @@ template <int D> Step begin_step(Model<D>& model, const StepOptions& options) {
   return step;
 }
 
+/// The rules of the first guess of a step.
+template <int D> InitialContact initial_rules(const Model<D>& model) {
+  return model.step->report.iterations == 0 && model.targets != model.accepted.targets ? initial_contact(model)
+                                                                                       : InitialContact{};
+}
+
 /// One iteration of a step to the targets; functions are in the order in which Newton's method calls them.
 template <int D> class LoadStep final : public StepProblem<D> {
 public:
@@ -98,7 +104,7 @@ template <int D> solve::Outcome LoadStep<D>::evaluate(bool tangent, Message& why
   }
   if (set.update(step_.report.energies)) known = false;
   EvaluationOptions wanted{.tangent = tangent, .direction = waiting_ ? &step_.increment : nullptr, .corrects = true};
-  if (step_.report.iterations == 0 && model.targets != model.accepted.targets) wanted.initial = initial_contact(model);
+  wanted.initial = initial_rules(model);
   solve::Outcome outcome = known ? solve::Outcome::converged : model::evaluate(model, wanted, why);
   if (waiting_) model.unbalanced += model.system.unknowns.gather(model.system.assembly.product());
   if (outcome != solve::Outcome::converged || std::exchange(recorded_, true)) return outcome;
@@ -209,6 +215,27 @@ solve::NewtonReport solve_step(Model<D>& model, const StepOptions& options, cons
   return model.step->report;
 }
 
+template <int D> solve::Outcome begin_beside(Model<D>& model, const StepOptions& options, bool rubs, Message& why) {
+  model.step = begin_step(model, options);
+  Step& step = *model.step;
+  solve::Outcome outcome = solve::Outcome::converged;
+  if (rubs) {
+    LoadStep<D> problem(model, options);
+    if (step.pending) {
+      outcome = problem.evaluate(true, why);
+      if (outcome == solve::Outcome::converged && !problem.advance()) outcome = solve::Outcome::singular_tangent;
+      ++step.report.iterations;
+    }
+    if (outcome == solve::Outcome::converged)
+      outcome = model::evaluate(model, {.tangent = false, .initial = initial_rules(model)}, why);
+  }
+  step.increment.setZero();
+  step.closing.reset();
+  step.guess_evaluated = true;
+  model.active_set.release_all();
+  return outcome;
+}
+
 template <int D> void move_by(Model<D>& model, const VectorX& change) {
   const Unknowns<D>& unknowns = model.system.unknowns;
   require(change.size() == unknowns.size(), "model.move.size",
@@ -227,6 +254,7 @@ template <int D> void move_by(Model<D>& model, const VectorX& change) {
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \
   template solve::NewtonReport solve_step(Model<D>&, const StepOptions&, const AfterIteration&);                       \
   template const solve::NewtonReport& iterate(Model<D>&, const StepOptions&, const AfterIteration&);                   \
+  template solve::Outcome begin_beside(Model<D>&, const StepOptions&, bool, Message&);                                 \
   template void move_by(Model<D>&, const VectorX&);
 SIGNORINI_INSTANTIATE(2)
 SIGNORINI_INSTANTIATE(3)

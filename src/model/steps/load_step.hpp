@@ -14,6 +14,10 @@ solve::NewtonReport solve_step(Model<D>& model, const StepOptions& options, cons
 template <int D>
 const solve::NewtonReport& iterate(Model<D>& model, const StepOptions& options, const AfterIteration& after = {});
 
+/// Begins a step of a model that follows another one, without solving it. `rubs`: evaluates the guess of the step,
+/// whose touches are where friction begins; by `tangent` this takes a solution.
+template <int D> solve::Outcome begin_beside(Model<D>& model, const StepOptions& options, bool rubs, Message& why);
+
 /// Adds a given change to the unknowns; the first move of a step also sets the prescribed displacements to their
 /// targets. solve_step() and iterate() continue from there, and accept() checks equilibrium. Throws Error unless there
 /// is one finite value per unknown.

@@ -110,6 +110,10 @@ template <int D> void accept(Model<D>& model) {
   const solve::Outcome outcome = model.step->report.outcome;
   require(outcome != solve::Outcome::iterating, "model.accept.iterating");
   require(outcome == solve::Outcome::converged, "model.accept.failed", {{"reason", solve::name_of(outcome)}});
+  take_present(model);
+}
+
+template <int D> void take_present(Model<D>& model) {
   ScopedTimer timer(model.timings.contact);
   State<D>&accepted = model.accepted, &present = model.present;
   PathHistory& path = model.path;
@@ -165,6 +169,7 @@ template <int D> void settle(Model<D>& model) {
   template void set_contact(Model<D>&, int, const contact::Changes&);                                                  \
   template bool settled(const Model<D>&);                                                                              \
   template void accept(Model<D>&);                                                                                     \
+  template void take_present(Model<D>&);                                                                               \
   template void rollback(Model<D>&);                                                                                   \
   template Snapshot<D> snapshot(const Model<D>&);                                                                      \
   template void restore(Model<D>&, const Snapshot<D>&);                                                                \

@@ -70,6 +70,8 @@ template <int D> void set_contact(Model<D>& model, int contact, const contact::C
 /// Makes the present state the accepted one. Throws Error if the current step has not converged, if targets or
 /// penalties have changed since, or if the state after move_by() is not in equilibrium. Does nothing without a step.
 template <int D> void accept(Model<D>& model);
+/// The same without any test, for a state close to equilibrium.
+template <int D> void take_present(Model<D>& model);
 /// Restores the accepted state, including its targets.
 template <int D> void rollback(Model<D>& model);
 /// True if present state, targets, penalties and constants of contacts are the accepted ones and there is no current

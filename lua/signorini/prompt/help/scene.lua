@@ -79,3 +79,9 @@ map = sg.convergence_map{
   scene = function(order) return (press(order, 1)) end,
   path = function(_, _, steps) return { { name = "press", steps = steps, grip = {0, -0.1} } } end,
 }
+
+-- How the force changes with the depth.
+function press_to(q)
+  return press("N2", 1), { { name = "press", steps = 4, grip = {0, -q.depth} } }
+end
+gradients = sg.gradients{ scene = press_to, at = { depth = 0.1 } }

@@ -1,0 +1,92 @@
+-- sg.check_gradients: derivatives next to differences of whole runs.
+
+local core = require "signorini.core"
+local format_table = require("signorini.output.table").text
+local gradients = require "signorini.gradients.gradients"
+local lists = require "signorini.call.lists"
+local run_path = require "signorini.run.run"
+local scene = require "signorini.gradients.scene"
+
+local where = "sg.check_gradients"
+
+local Check = {}
+Check.__index = Check
+Check.__name = "check of gradients"
+
+--- The columns of a run at other values of the parameters; nil if it has failed.
+local function solve(search, values, changed)
+  core.mute_warnings(true)
+  local done, made = pcall(scene.make, where, search.scene, values, changed)
+  local run = done and run_path(made.model, made.list,
+    lists.merged(made.options, { measure = search.measure or made.options.measure, verbose = false }))
+  core.mute_warnings(false)
+  if not done then error(made, 0) end
+  return not run.failed and run.values or nil
+end
+
+-- Error of the results of runs, relative to the largest of their kind, times 1000: differences of runs at a distance do
+-- not tell derivatives below this over the distance.
+local uncertain = 1e-9
+
+--- "f" of forces, "max_pressure" …
+local function kind_of(name) return (name:match "[^.]*$":gsub("^f[xyz]$", "f")) end
+
+--- The largest values of a run, by kinds of results; those of forces are at least rounding errors.
+local function largest_of(run, names, model)
+  local most = { f = core.rounding(model) / uncertain }
+  for _, name in ipairs(names) do
+    local kind = kind_of(name)
+    for _, value in ipairs(run:column(name)) do most[kind] = math.max(most[kind] or 0, math.abs(value)) end
+  end
+  return most
+end
+
+--- The largest difference of slopes and secants over the steps, relative to the largest slope; nan if that is at most
+--- `least`.
+local function difference(slopes, plus, minus, distance, least)
+  local most, size = 0, 0
+  for row, slope in ipairs(slopes) do
+    most = math.max(most, math.abs((plus[row] - minus[row]) / (2 * distance) - slope))
+    size = math.max(size, math.abs(slope))
+  end
+  return size > least and most / size or -(0 / 0)
+end
+
+--- Differences by column and parameter, a column for each distance.
+function Check:__tostring()
+  local columns, cells, at = { "quantity", "parameter" }, {}, {}
+  for _, by in ipairs(self.by) do columns[#columns + 1] = ("± %g"):format(by) end
+  for _, row in ipairs(self.rows) do
+    local key = row.name .. " " .. row.parameter
+    if not at[key] then
+      at[key] = { row.name, row.parameter }
+      cells[#cells + 1] = at[key]
+    end
+    table.insert(at[key], row.difference)
+  end
+  local text = format_table { columns = columns, rows = cells,
+                              formats = lists.map(columns, function() return "%.2g" end) }
+  text = text .. "\nlargest difference of secants and derivatives, relative to the largest derivative"
+  for _, line in ipairs(self.gradients.warnings) do text = text .. "\n" .. line end
+  return text
+end
+
+return function(search)
+  local found = gradients.of(where, search)
+  local rows, largest = {}, largest_of(found.run, found.results, found.run.model)
+  for _, parameter in ipairs(scene.parameters(where, search.at, search.scale)) do
+    for _, by in ipairs(search.by) do
+      local distance, ends = by * parameter.size, {}
+      for k, sign in ipairs { 1, -1 } do
+        ends[k] = solve(search, lists.merged(search.at, { [parameter.name] = parameter.at + sign * distance }),
+          parameter.name)
+      end
+      for _, name in ipairs(found.names) do
+        rows[#rows + 1] = { name = name, parameter = parameter.name, by = by,
+          difference = ends[1] and ends[2] and difference(found:column(name, parameter.name), ends[1][name],
+            ends[2][name], distance, uncertain * largest[kind_of(name)] / distance) or -(0 / 0) }
+      end
+    end
+  end
+  return setmetatable({ gradients = found, rows = rows, by = search.by }, Check)
+end

@@ -1,0 +1,106 @@
+-- The neighbors of a run: for each parameter two models of its scene, with a value a little above and below, which
+-- follow the run increment by increment. Differences of their results are derivatives of those of the run.
+
+local core = require "signorini.core"
+local lists = require "signorini.call.lists"
+local recorders = require "signorini.run.recorders"
+local Step = require "signorini.run.step"
+
+local Neighbors = {}
+Neighbors.__index = Neighbors
+
+--- Columns of results of a model: names, and lists of values by name.
+local function record_of(model, path)
+  local record = { names = {}, values = {}, recorders = {}, unsettled = {}, flawed = {}, rows = 0 }
+  recorders.start(record, model, path)
+  return record
+end
+
+--- `pairs`: by parameter { name, at, size, step, plus, minus }, the last two { model, path (stages that have been
+--- read), options }. `fail(pair, text)`: reports what is wrong with a neighbor.
+function Neighbors.new(pairs, fail)
+  local self = setmetatable({ pairs = pairs, fail = fail, passes = 0, kinks = {} }, Neighbors)
+  self:each(function(side) side.record = record_of(side.model, side.path) end)
+  return self
+end
+
+--- Calls visit(neighbor, pair).
+function Neighbors:each(visit)
+  for _, pair in ipairs(self.pairs) do
+    visit(pair.plus, pair)
+    visit(pair.minus, pair)
+  end
+end
+
+function Neighbors:begin_stage(index)
+  self.stage = index
+  self:each(function(side) Step.begin_stage(side.model, side.path[index]) end)
+end
+
+--- Follows the run, which has converged at the fraction `to` of its step `step` and not accepted that state yet.
+function Neighbors:follow(step, to, solver)
+  for _, pair in ipairs(self.pairs) do
+    for _, side in ipairs { pair.plus, pair.minus } do
+      local beside = step:beside(side.model, side.path[self.stage], side.options)
+      beside:set_targets(to)
+      beside:set_penalty(to)
+    end
+    local found = core.follow_run(step.model, lists.merged(solver, { plus = pair.plus.model, minus = pair.minus.model,
+                                                                 step = pair.step, size = pair.size }))
+    if found.failure then
+      self.fail(pair, ("step %d is not reached: %s"):format(step.run.steps + 1, found.failure))
+    end
+    self.passes = self.passes + found.passes
+    pair.defect, pair.forces = math.max(pair.defect or 0, found.defect), math.max(pair.forces or 0, found.forces)
+    if found.kinks > 0 then
+      self.kinks[#self.kinks + 1] = { step = step.run.steps + 1, parameter = pair.name, points = found.kinks,
+                                      share = found.share, contact = found.contact, X = found.place }
+    end
+  end
+end
+
+--- The residual of the equations of the derivatives, relative to the largest forces of the run.
+function Neighbors:residual()
+  local most = 0
+  for _, pair in ipairs(self.pairs) do
+    if pair.defect then most = math.max(most, pair.defect / pair.forces) end
+  end
+  return most
+end
+
+--- Records the accepted state, the last of a step; `measure`: of model:run.
+function Neighbors:record(measure)
+  self:each(function(side)
+    local record = side.record
+    record.rows = record.rows + 1
+    for _, append in ipairs(record.recorders) do append(record.rows) end
+    for name, value in pairs(measure and measure(side.model) or {}) do
+      record.values[name] = record.values[name] or recorders.add_column(record, name)
+      record.values[name][record.rows] = value
+    end
+  end)
+end
+
+--- Removes the last record.
+function Neighbors:drop()
+  self:each(function(side)
+    for _, values in pairs(side.record.values) do values[side.record.rows] = nil end
+    side.record.rows = side.record.rows - 1
+  end)
+end
+
+function Neighbors:snapshot()
+  local saved = {}
+  self:each(function(side) saved[#saved + 1] = side.model:snapshot() end)
+  return saved
+end
+
+function Neighbors:restore(saved)
+  local k = 0
+  self:each(function(side)
+    k = k + 1
+    side.model:restore(saved[k])
+  end)
+end
+
+return Neighbors

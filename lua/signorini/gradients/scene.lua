@@ -1,0 +1,87 @@
+-- The scenes of sg.gradients, sg.check_gradients: what a function of parameters returns, at several values of these.
+
+local check = require "signorini.call.check"
+local core = require "signorini.core"
+local lists = require "signorini.call.lists"
+local named = require "signorini.call.named"
+local stages = require "signorini.run.stages"
+
+local scene = {}
+
+-- Distance of the neighbors from the run, relative to the parameter or its scale: rounding errors of 1e-13 leave 3e-9
+-- of the derivative, and its third derivative 1e-9.
+scene.step = 3e-5
+
+-- Options of model:run under which models cannot follow a run.
+local alone = { "arc_length", "errors", "tolerance", "checkpoint", "resume", "adapt" }
+
+--- Parameters as a list of { name, at, size }, sorted by name; `size`: the parameter's own size, or its scale.
+function scene.parameters(where, at, scale)
+  for name in pairs(scale or {}) do
+    if at[name] == nil then core.fail(("%s: scale.%s: there is no parameter of this name"):format(where, name)) end
+  end
+  if not next(at) then core.fail(where .. ": at is empty. Hint: name at least one parameter, at = { E = 1 }") end
+  return lists.map(lists.sorted_names(at), function(name)
+    local size = (scale or {})[name] or math.abs(at[name])
+    if size == 0 then
+      core.fail(("%s: at.%s is 0, which has no size of its own. Hint: scale = { %s = 0.1 }, with a typical value")
+        :format(where, name, name))
+    end
+    return { name = name, at = at[name], size = size }
+  end)
+end
+
+--- "E = 1.00003".
+function scene.place(name, value) return ("%s = %.10g"):format(name, value) end
+
+--- The argument of a scene: its parameters, of which it notes in `reads` those that are read.
+local function argument(values, reads)
+  return setmetatable({}, {
+    __index = function(_, name)
+      if values[name] == nil then named.missing("the argument of scene", name, lists.sorted_names(values)) end
+      reads[name] = true
+      return values[name]
+    end,
+    __pairs = function()
+      for name in pairs(values) do reads[name] = true end
+      return next, values
+    end })
+end
+
+--- The scene at values of parameters, { model, list (stages), options, path (stages that have been read) }. `changed`:
+--- the name of the parameter that differs from those of the run, for messages.
+function scene.make(where, make, values, changed)
+  local place = changed and (" at " .. scene.place(changed, values[changed])) or ""
+  local reads = {}
+  local model, list, options = make(argument(values, reads))
+  for _, name in ipairs(lists.sorted_names(values)) do
+    if not reads[name] then core.fail(("%s: scene%s does not read the parameter '%s'"):format(where, place, name)) end
+  end
+  if core.kind(model) ~= "model" then
+    core.fail(("%s: scene%s must return a model and its stages, got %s"):format(where, place, core.describe(model)))
+  end
+  list, options = check.call("model:run", model, list, options)
+  for _, key in ipairs(alone) do
+    if options[key] and (type(options[key]) ~= "table" or next(options[key])) then
+      core.fail(("%s: scene%s returns the option %s, with which models cannot follow a run. Hint: leave it out"):format(
+        where, place, key))
+    end
+  end
+  return { model = model, list = list, options = options, path = (stages.read(model, list, lists.merged(options))) }
+end
+
+--- Checks that a scene has the unknowns, the stages and the steps of another one.
+function scene.compare(where, run, other, name, value)
+  local function fail(text) core.fail(("%s: scene at %s: %s"):format(where, scene.place(name, value), text)) end
+  if other.model == run.model then fail "it returns the model of another call. Hint: make it anew in each call" end
+  local text = core.neighbor_difference(run.model, other.model)
+  if text then fail(text) end
+  if #run.path ~= #other.path then fail "it has another number of stages, which a parameter must not change" end
+  for i, stage in ipairs(run.path) do
+    if other.path[i].steps ~= stage.steps then
+      fail(("stage '%s' has another number of steps, which a parameter must not change"):format(stage.name))
+    end
+  end
+end
+
+return scene

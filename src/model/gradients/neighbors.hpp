@@ -1,0 +1,42 @@
+#pragma once
+// Neighbors of a run: two models of the same scene at q + ε and q − ε that follow it. Their difference over 2ε is the
+// derivative of its state, and of all that follows from it [theory 12].
+
+#include "model/steps/model.hpp"
+#include "model/steps/step_options.hpp"
+
+namespace signorini::model {
+
+template <int D> struct Neighbors {
+  Model<D>& plus;
+  Model<D>& minus;
+  double step; ///< ε
+  double size; ///< of the parameter, of which ε is a small part
+};
+
+/// Points whose states differ between the neighbors and the run: at a kink of its results.
+template <int D> struct Kinks {
+  int points = 0;
+  double share = 0;              ///< of the forces of all contacts, without sign
+  int contact = -1;              ///< of the point with the largest force
+  Vec<D> place = Vec<D>::Zero(); ///< of it, in the reference configuration
+};
+
+template <int D> struct FollowReport {
+  int passes = 0;
+  double defect = 0; ///< residual of the equation of the derivative, times the size of the parameter
+  double forces = 0; ///< what to compare it with: its first value, or the forces of supports and loads if larger
+  Kinks<D> kinks;
+  Message failure = {}; ///< why the neighbors could not follow; its code is empty if they did
+};
+
+/// Moves both neighbors from their accepted states to those that belong to the converged present state of the run,
+/// which is not accepted yet, and accepts them. Their targets, penalty factor, time and constants of contacts have been
+/// set; `options`: of the run's step. Does not change the run.
+template <int D> FollowReport<D> follow_run(Model<D>& run, const Neighbors<D>& neighbors, const StepOptions& options);
+
+/// What a neighbor must have in common with the run and has not: unknowns, prescribed quantities or contact points; its
+/// code is empty if it has all.
+template <int D> Message difference(const Model<D>& run, const Model<D>& neighbor);
+
+} // namespace signorini::model
