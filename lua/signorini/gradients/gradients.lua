@@ -102,7 +102,7 @@ local function slopes(pair, name)
   local plus, minus = pair.plus.record.values[name], pair.minus.record.values[name]
   local list = {}
   for row = 1, pair.plus.record.rows do
-    list[row] = plus and (plus[row] - minus[row]) / (2 * pair.step) or 0 / 0
+    list[row] = plus and (plus[row] - minus[row]) / (2 * pair.step) or -(0 / 0)
   end
   return list
 end

@@ -41,9 +41,9 @@ end
 function Neighbors:follow(step, to, solver)
   for _, pair in ipairs(self.pairs) do
     for _, side in ipairs { pair.plus, pair.minus } do
-      local beside = step:beside(side.model, side.path[self.stage], side.options)
-      beside:set_targets(to)
-      beside:set_penalty(to)
+      local own = step:of_neighbor(side.model, side.path[self.stage], side.options)
+      own:set_targets(to)
+      own:set_penalty(to)
     end
     local found = core.follow_run(step.model, lists.merged(solver, { plus = pair.plus.model, minus = pair.minus.model,
                                                                  step = pair.step, size = pair.size }))

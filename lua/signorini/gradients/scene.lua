@@ -73,7 +73,7 @@ end
 --- Checks that a scene has the unknowns, the stages and the steps of another one.
 function scene.compare(where, run, other, name, value)
   local function fail(text) core.fail(("%s: scene at %s: %s"):format(where, scene.place(name, value), text)) end
-  if other.model == run.model then fail "it returns the model of another call. Hint: make it anew in each call" end
+  if other.model == run.model then fail "it returns the model of another call. Hint: make a new one in each call" end
   local text = core.neighbor_difference(run.model, other.model)
   if text then fail(text) end
   if #run.path ~= #other.path then fail "it has another number of stages, which a parameter must not change" end

@@ -3,8 +3,8 @@
 local t = require "signorini.call.types"
 
 local scene = { "scene", t.callback_of({ { "q", t.map(t.number) } }, t.object "model", t.any, t.or_nil(t.any)),
-  [[function of a table of the parameters that returns a model, its stages, and options of model:run. It makes the scene
-anew in each call, and the same one for the same values; meshes, names, stages and steps must not depend on them]] }
+  [[function of a table of the parameters that returns a model, its stages, and options of model:run. It makes a new
+scene in each call, and the same one for the same values; meshes, names, stages and steps must not depend on them]] }
 local at = { "at", t.map(t.number, nil, 1), "values of the parameters by name, such as { E = 1, mu = 0.3 }" }
 local of = { "of", t.list(t.text, nil, 1), "columns of results that print and csv show", otherwise = "all" }
 local scale = { "scale", t.map(t.positive),

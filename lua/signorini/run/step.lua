@@ -43,7 +43,7 @@ function Step.begin(model, run, stage, number, options, display)
 end
 
 --- The same step of another model, which follows this one.
-function Step:beside(model, stage, options)
+function Step:of_neighbor(model, stage, options)
   return setmetatable({ model = model, run = self.run, stage = stage, number = self.number, options = options }, Step)
 end
 

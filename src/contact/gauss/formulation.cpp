@@ -160,7 +160,7 @@ std::vector<int> crossed(const Formulation<D>& contact, const History<D>& presen
     if (faces.master.set() && is_first_of_element(points, i)) alone = is_alone(contact, i, present, accepted);
     if (alone || !acts(points, present, i) || result.beyond) continue;
     if (faces.master.set()) {
-      if (has_passed_through(contact, i, present, accepted)) numbers.push_back(static_cast<int>(i));
+      if (has_passed_through(contact, i, present, accepted, master_moved)) numbers.push_back(static_cast<int>(i));
       continue;
     }
     const double touching = parameters.offset(i, present);

@@ -62,7 +62,7 @@ bool is_alone(const Formulation<D>& contact, std::size_t first, const History<D>
 
 template <int D>
 bool has_passed_through(const Formulation<D>& contact, std::size_t i, const History<D>& present,
-                        const History<D>& accepted) {
+                        const History<D>& accepted, double moved) {
   const Faces<D>& faces = contact.faces();
   const Vec<D>&before = accepted.results[i].position, &now = present.results[i].position;
   const double offset = contact.parameters().offset(i, present), farther = std::max(offset, 0.0);
@@ -71,7 +71,7 @@ bool has_passed_through(const Formulation<D>& contact, std::size_t i, const Hist
   near.reach = {farther, farther};
   near.moved = now - before;
   if (!faces.master.boxes().sees_any(now, near)) return false;
-  from.farthest = from.sight.reach.own = farther + (now - before).norm() + faces.master_moved();
+  from.farthest = from.sight.reach.own = farther + (now - before).norm() + moved;
   return has_passed_through(faces.accepted, faces.master, before, now, accepted.points[i].projection,
                             present.points[i].projection, touches(present.results[i].state), std::min(0.0, offset),
                             from);
@@ -80,7 +80,7 @@ bool has_passed_through(const Formulation<D>& contact, std::size_t i, const Hist
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \
   template Lookout<D> lookout(const Formulation<D>&, std::size_t, const Trial<D>&);                                    \
   template bool is_alone(const Formulation<D>&, std::size_t, const History<D>&, const History<D>&, double);            \
-  template bool has_passed_through(const Formulation<D>&, std::size_t, const History<D>&, const History<D>&);
+  template bool has_passed_through(const Formulation<D>&, std::size_t, const History<D>&, const History<D>&, double);
 SIGNORINI_INSTANTIATE(2)
 SIGNORINI_INSTANTIATE(3)
 #undef SIGNORINI_INSTANTIATE

@@ -18,9 +18,9 @@ template <int D>
 bool is_alone(const Formulation<D>& contact, std::size_t first, const History<D>& present, const History<D>& accepted,
               double guessed = 0);
 /// True if point i of a set, which `is_alone` does not tell to be open, has passed through a part of it since the
-/// accepted state (crossing.hpp).
+/// accepted state (crossing.hpp). `moved`: bound on the set's motion since then.
 template <int D>
 bool has_passed_through(const Formulation<D>& contact, std::size_t i, const History<D>& present,
-                        const History<D>& accepted);
+                        const History<D>& accepted, double moved);
 
 } // namespace signorini::contact

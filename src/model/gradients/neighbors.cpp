@@ -171,7 +171,7 @@ template <int D> FollowReport<D> follow_run(Model<D>& run, const Neighbors<D>& n
   const bool rubs = begins_to_rub(run);
   std::array<VectorX, 2> bases;
   for (std::size_t k = 0; k < 2; ++k) {
-    if (begin_beside(*both[k], options, rubs, report.failure) != solve::Outcome::converged) {
+    if (begin_following(*both[k], options, rubs, report.failure) != solve::Outcome::converged) {
       if (report.failure.code.empty()) report.failure = Message("model.gradients.singular");
       return report;
     }

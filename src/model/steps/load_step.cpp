@@ -215,7 +215,7 @@ solve::NewtonReport solve_step(Model<D>& model, const StepOptions& options, cons
   return model.step->report;
 }
 
-template <int D> solve::Outcome begin_beside(Model<D>& model, const StepOptions& options, bool rubs, Message& why) {
+template <int D> solve::Outcome begin_following(Model<D>& model, const StepOptions& options, bool rubs, Message& why) {
   model.step = begin_step(model, options);
   Step& step = *model.step;
   solve::Outcome outcome = solve::Outcome::converged;
@@ -254,7 +254,7 @@ template <int D> void move_by(Model<D>& model, const VectorX& change) {
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \
   template solve::NewtonReport solve_step(Model<D>&, const StepOptions&, const AfterIteration&);                       \
   template const solve::NewtonReport& iterate(Model<D>&, const StepOptions&, const AfterIteration&);                   \
-  template solve::Outcome begin_beside(Model<D>&, const StepOptions&, bool, Message&);                                 \
+  template solve::Outcome begin_following(Model<D>&, const StepOptions&, bool, Message&);                              \
   template void move_by(Model<D>&, const VectorX&);
 SIGNORINI_INSTANTIATE(2)
 SIGNORINI_INSTANTIATE(3)

@@ -16,7 +16,7 @@ const solve::NewtonReport& iterate(Model<D>& model, const StepOptions& options, 
 
 /// Begins a step of a model that follows another one, without solving it. `rubs`: evaluates the guess of the step,
 /// whose touches are where friction begins; by `tangent` this takes a solution.
-template <int D> solve::Outcome begin_beside(Model<D>& model, const StepOptions& options, bool rubs, Message& why);
+template <int D> solve::Outcome begin_following(Model<D>& model, const StepOptions& options, bool rubs, Message& why);
 
 /// Adds a given change to the unknowns; the first move of a step also sets the prescribed displacements to their
 /// targets. solve_step() and iterate() continue from there, and accept() checks equilibrium. Throws Error unless there
