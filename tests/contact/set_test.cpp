@@ -260,7 +260,7 @@ TEST(Set, ElementsThatAreAloneDoNotTouch) {
         closed += touches(strip.pair.results()[i].state);
         if (!is_first_of_element(points, i)) continue;
         ++elements;
-        alone += is_alone(strip.pair.formulation(), i, strip.pair.present(), strip.pair.history());
+        alone += is_alone(strip.pair.formulation(), points.list[i].element, strip.pair.present(), strip.pair.history());
       }
       strip.pair.accept();
     }
@@ -268,6 +268,56 @@ TEST(Set, ElementsThatAreAloneDoNotTouch) {
   }
   EXPECT_GT(alone, 9 * elements / 10);
   EXPECT_GT(touching, 5);
+}
+
+/// A strip that is bent and carried away: its points are not watched, and yet where the strip is, before and after the
+/// state is accepted or dropped.
+TEST(Set, PointsThatAreNotWatchedHaveTheirPlaces) {
+  Folded<2> strip(discretize(nurbs::rectangle(1, 0.1, Eigen::Vector2d(0, 0)), {12, 1}, "N2", "north"),
+                  {"south", "east", "north", "west"}, InterfaceLaw{100, 80, 0.3}, 4, 0.1);
+  const Formulation<2>& contact = strip.pair.formulation();
+  const auto bend = [&](double step) {
+    strip.bend([&](const Vec<2>& X) { return Vec<2>(X(0) + step, X(1) + 0.1 * step * X(0) * X(0)); }).evaluate();
+  };
+  const auto expect_places = [&](const History<2>& history) {
+    for (std::size_t i = 0; i < contact.points().size(); ++i) {
+      EXPECT_FALSE(is_watched(history, i)) << i;
+      EXPECT_EQ(position(contact, history, i), position(contact.points(), contact.slave(), i)) << i;
+    }
+  };
+  const auto expect_stored = [&] {
+    for (std::size_t i = 0; i < contact.points().size(); ++i)
+      EXPECT_EQ(strip.pair.history().results[i].position, position(contact.points(), contact.slave(), i)) << i;
+  };
+  for (const double step : {0.0, 0.3, 0.7}) {
+    bend(step);
+    expect_places(strip.pair.present());
+    strip.pair.accept();
+    expect_stored();
+  }
+  bend(1.5);
+  expect_places(strip.pair.present());
+  strip.pair.rollback();
+  expect_places(strip.pair.present());
+  expect_stored();
+}
+
+/// An element with a worn point remains watched far from everything, so that its depth is not forgotten.
+TEST(Set, PointsWithAPastRemainWatched) {
+  for (const double worn : {0.0, 0.01}) {
+    Folded<2> strip(discretize(nurbs::rectangle(1, 0.1, Eigen::Vector2d(0, 0)), {12, 1}, "N2", "north"),
+                    {"south", "east", "north", "west"}, InterfaceLaw{100, 80}, 4, 0.1);
+    History<2> history = strip.pair.history();
+    history.points[5].worn = worn;
+    strip.pair.restore(history);
+    for (int step = 0; step < 2; ++step) {
+      strip.evaluate().pair.accept();
+      EXPECT_EQ(strip.pair.resultant().max_wear, worn);
+      const std::vector<PointRange>& watched = strip.pair.history().watched;
+      ASSERT_EQ(watched.size(), worn > 0 ? 1 : 0);
+      for (const PointRange& element : watched) EXPECT_EQ(element.last - element.first, 4);
+    }
+  }
 }
 
 /// The least distance of a point of a set from its admissible minima, among those that descents from all elements find.

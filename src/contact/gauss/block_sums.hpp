@@ -80,6 +80,7 @@ template <int D> struct SumPart {
   bool tangent = false;
   std::optional<InterfaceLaw> law = {}; ///< of the state that is evaluated
   double search_seconds = 0;            ///< since the last hand_over()
+  std::vector<PointRange> watched = {}; ///< elements, after the last evaluation
 };
 template <int D> std::vector<SumPart<D>> parts_of(const Faces<D>& faces, const ContactPoints<D>& points, Pass pass);
 /// Moves blocks and times of all parts.

@@ -101,9 +101,8 @@ public:
   ContactArea run() {
     const std::size_t count = history_.results.size();
     result_.inside.resize(count);
-    bool any = false;
-    for (std::size_t i = 0; i < count; ++i) any |= result_.inside[i] = history_.results[i].state != ContactState::open;
-    if (!any) return std::move(result_);
+    for (const std::size_t i : watched_points(history_))
+      result_.inside[i] = history_.results[i].state != ContactState::open;
     const auto& law = formulation_.parameters().law;
     // Points decide by themselves on a pressure with multipliers that are unknowns.
     if (!law || law->enforcement != Enforcement::multipliers) clear_fringe();
@@ -136,8 +135,9 @@ private:
     const PointResult<D>& result = history_.results[i];
     if (result.state != ContactState::open) return gap = result.gap;
     FacePoint<D> foot;
-    const Projection<D> found = formulation_.master().project(result.position, history_.points[i].projection, foot,
-                                                              lookout(formulation_.faces(), formulation_.points(), i));
+    const Projection<D> found =
+        formulation_.master().project(position(formulation_, history_, i), history_.points[i].projection, foot,
+                                      lookout(formulation_.faces(), formulation_.points(), i));
     return gap = found.foot == Foot::none ? no_gap : found.gap - formulation_.parameters().offset(i, history_);
   }
 
@@ -207,7 +207,8 @@ private:
     if (result.area != 0) return result.area;
     const ContactPoint& point = formulation_.points().list[i];
     if (reference_) return point.weight * point.reference_area;
-    return point.weight * slave_measure(formulation_.points(), formulation_.slave(), i, result.position);
+    return point.weight *
+           slave_measure(formulation_.points(), formulation_.slave(), i, position(formulation_, history_, i));
   }
 
   /// The part of a point's area that is inside, by halves on a curve, by quarters on a surface.
@@ -261,6 +262,9 @@ private:
 
 template <int D>
 ContactArea contact_area(const Formulation<D>& formulation, const History<D>& history, bool reference, double modulus) {
+  const auto is_closed = [&](std::size_t i) { return history.results[i].state != ContactState::open; };
+  auto points = watched_points(history);
+  if (std::ranges::none_of(points, is_closed)) return {.inside = std::vector<char>(history.results.size())};
   return AreaInside<D>(formulation, history, reference, modulus).run();
 }
 

@@ -66,7 +66,7 @@ double with_pressure(const Parameters& parameters, const Result& result, double 
 } // namespace
 
 template <int D> void Formulation<D>::commit(History<D>& present, const History<D>& accepted, double) {
-  for (std::size_t i = 0; i < points_.size(); ++i) {
+  for (const std::size_t i : watched_points(present)) {
     if (!acts(points_, present, i)) continue;
     const PointResult<D>&before = accepted.results[i], &after = present.results[i];
     if (before.law_area != after.law_area)
@@ -110,11 +110,15 @@ template <int D> History<D> initial_history(const Formulation<D>& contact) {
   return History<D>(contact.points(), contact.multipliers() ? contact.multipliers()->count() : 0, contact.bonds());
 }
 
+template <int D> Vec<D> position(const Formulation<D>& contact, const History<D>& history, std::size_t i) {
+  return is_watched(history, i) ? history.results[i].position : position(contact.points(), contact.slave(), i);
+}
+
 template <int D> std::vector<double> gaps(const Formulation<D>& contact, const History<D>& history) {
   std::vector<double> gaps;
   FacePoint<D> foot;
   for (std::size_t i = 0; i < history.points.size(); ++i) {
-    const Projection<D> found = contact.master().project(history.results[i].position, history.points[i].projection,
+    const Projection<D> found = contact.master().project(position(contact, history, i), history.points[i].projection,
                                                          foot, lookout(contact.faces(), contact.points(), i));
     if (found.element < 0) {
       gaps.push_back(std::numeric_limits<double>::infinity());
@@ -140,7 +144,7 @@ template <int D> double multiplier_potential(const Formulation<D>& contact, cons
 
 template <int D> double potential(const Formulation<D>& contact, const History<D>& history) {
   double sum = 0;
-  for (std::size_t i = 0; i < history.results.size(); ++i) sum += potential(contact, history, i);
+  for (const std::size_t i : watched_points(history)) sum += potential(contact, history, i);
   for (std::size_t a = 0; a < history.multiplier_results.size(); ++a) sum += multiplier_potential(contact, history, a);
   return sum;
 }
@@ -154,10 +158,11 @@ std::vector<int> crossed(const Formulation<D>& contact, const History<D>& presen
   if (!parameters.active(present.changes) || !parameters.active(accepted.changes)) return numbers;
   const double master_moved = faces.master_moved();
   bool alone = false;
-  for (std::size_t i = 0; i < points.size(); ++i) {
+  for (const std::size_t i : watched_points(present)) {
     const PointHistory<D>& point = present.points[i];
     const PointResult<D>& result = present.results[i];
-    if (faces.master.set() && is_first_of_element(points, i)) alone = is_alone(contact, i, present, accepted);
+    if (faces.master.set() && is_first_of_element(points, i))
+      alone = is_alone(contact, points.list[i].element, present, accepted);
     if (alone || !acts(points, present, i) || result.beyond) continue;
     if (faces.master.set()) {
       if (has_passed_through(contact, i, present, accepted, master_moved)) numbers.push_back(static_cast<int>(i));
@@ -181,6 +186,7 @@ std::vector<int> crossed(const Formulation<D>& contact, const History<D>& presen
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \
   template class Formulation<D>;                                                                                       \
   template History<D> initial_history(const Formulation<D>&);                                                          \
+  template Vec<D> position(const Formulation<D>&, const History<D>&, std::size_t);                                     \
   template std::vector<double> gaps(const Formulation<D>&, const History<D>&);                                         \
   template double potential(const Formulation<D>&, const History<D>&, std::size_t);                                    \
   template double multiplier_potential(const Formulation<D>&, const History<D>&, std::size_t);                         \

@@ -123,6 +123,8 @@ template <int D> using Formulations = std::vector<std::unique_ptr<Formulation<D>
 
 /// The history of a contact that has not been evaluated.
 template <int D> History<D> initial_history(const Formulation<D>& contact);
+/// Position of point i in the last evaluation, which its result has only while it is watched.
+template <int D> Vec<D> position(const Formulation<D>& contact, const History<D>& history, std::size_t i);
 /// Gaps of all points, less their offsets, at the faces' current position (an evaluation projects only points that may
 /// touch); infinite without a foot.
 template <int D> std::vector<double> gaps(const Formulation<D>& contact, const History<D>& history);

@@ -15,19 +15,23 @@ template <int D> void GaussPointContact<D>::evaluate_part(int index, const Trial
   part.tangent = tangent;
   part.law = parameters_.law_in(trial.present.changes, trial.penalty_factor);
   FootPoints<D> feet;
-  bool alone = false;
-  for (std::size_t i = part.first; i < part.last; ++i) {
-    if (is_first_of_element(points_, i)) {
-      if (i > part.first) part.sums.close_element(tangent);
-      alone = faces_.master.set() && is_alone(*this, i, trial.present, trial.accepted, trial.controls.guessed);
+  part.watched.clear();
+  for (int e = points_.list[part.first].element; e <= points_.list[part.last - 1].element; ++e) {
+    const PointRange range{points_.starts[e], points_.starts[e + 1]};
+    if (range.first == range.last) continue;
+    const bool alone = faces_.master.set() && is_alone(*this, e, trial.present, trial.accepted, trial.controls.guessed);
+    if (!alone || !has_no_past(*this, e, trial.present))
+      part.watched.push_back(range);
+    else if (!is_watched(trial.present, range.first))
+      continue;
+    for (std::size_t i = range.first; i < range.last; ++i) {
+      if (!acts(points_, trial.present, i)) continue;
+      trial.present.results[i] = {};
+      trial.present.results[i].position = position(points_, faces_.slave, i);
+      if (!alone) evaluate_point(i, trial, part, feet);
     }
-    if (!acts(points_, trial.present, i)) continue;
-    PointResult<D>& result = trial.present.results[i];
-    if (!alone || !is_empty(result)) result = {}; // those of whole faces are many bytes
-    result.position = position(points_, faces_.slave, i);
-    if (!alone) evaluate_point(i, trial, part, feet);
+    part.sums.close_element(tangent);
   }
-  part.sums.close_element(tangent);
 }
 
 template <int D>
@@ -68,8 +72,11 @@ void GaussPointContact<D>::record(std::size_t i, const Trial<D>& trial, const Lo
   part.sums.add(points_, i, feet.foot, geometry.slip_point ? &feet.slip_point : nullptr, force, part.tangent);
 }
 
-template <int D> void GaussPointContact<D>::gather(const Trial<D>&, bool) {
+template <int D> void GaussPointContact<D>::gather(const Trial<D>& trial, bool) {
   hand_over(parts_, this->blocks_, this->counters.search_seconds);
+  trial.present.watched.clear();
+  for (const SumPart<D>& part : parts_)
+    for (const PointRange& range : part.watched) watch(trial.present, range);
 }
 
 template <int D> void GaussPointContact<D>::take_back(std::vector<Block>& blocks) {
@@ -150,7 +157,7 @@ std::optional<MasterPoint<D>> GaussPointContact<D>::foresee_touch(std::size_t i,
 template <int D> double GaussPointContact<D>::stiffness(const History<D>& history, double penalty_factor) const {
   const InterfaceLaw law = parameters_.law_in(history.changes, penalty_factor);
   double sum = 0;
-  for (std::size_t i = 0; i < points_.size(); ++i) {
+  for (const std::size_t i : watched_points(history)) {
     const PointResult<D>& point = history.results[i];
     if (has_penalty(law) ? !touches(point.state) : point.law_area == 0) continue;
     const double slope = contact::stiffness(law, point.gap, place_of(points_.reference[i]));

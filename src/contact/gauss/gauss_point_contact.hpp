@@ -64,6 +64,7 @@ private:
   void evaluate_points(History<D>& present, const std::vector<std::size_t>& points, double penalty_factor);
   std::optional<MasterPoint<D>> foresee_touch(std::size_t i, const Trial<D>& trial) const;
   void wear(History<D>& present, const History<D>& accepted) const;
+  void place_others(History<D>& present) const;
   void release(History<D>& present, const History<D>& accepted, double tangential) const;
   void advance_slip_point(std::size_t i, History<D>& history, const History<D>& accepted,
                           const InterfaceLaw& law) const;

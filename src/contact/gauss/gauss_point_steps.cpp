@@ -13,18 +13,26 @@ namespace signorini::contact {
 template <int D>
 void GaussPointContact<D>::commit(History<D>& present, const History<D>& accepted, double penalty_factor) {
   const InterfaceLaw law = parameters_.law_in(present.changes, penalty_factor);
+  place_others(present);
   if (slides(law))
-    for (std::size_t i = 0; i < points_.size(); ++i) advance_slip_point(i, present, accepted, law);
+    for (const std::size_t i : watched_points(present)) advance_slip_point(i, present, accepted, law);
   else if (may_rub(*parameters_.law))
     release(present, accepted, parameters_.law_in(accepted.changes, penalty_factor).tangential);
   accept(present, accepted, penalty_factor);
+}
+
+/// Writes the positions of points that are not watched, which evaluations leave out.
+template <int D> void GaussPointContact<D>::place_others(History<D>& present) const {
+  for (std::size_t e = 0; e + 1 < points_.starts.size(); ++e)
+    for (std::size_t i = points_.starts[e]; i < points_.starts[e + 1] && !is_watched(present, points_.starts[e]); ++i)
+      if (acts(points_, present, i)) present.results[i].position = position(points_, faces_.slave, i);
 }
 
 /// Friction that a path switches off leaves no slip points: later friction starts at the foot points of its time. Its
 /// springs' energy is dissipated.
 template <int D>
 void GaussPointContact<D>::release(History<D>& present, const History<D>& accepted, double tangential) const {
-  for (std::size_t i = 0; i < points_.size(); ++i) {
+  for (const std::size_t i : watched_points(present)) {
     PointHistory<D>& point = present.points[i];
     const PointResult<D>& before = accepted.results[i];
     // A friction t on a fraction d of the area: d (t/d)²/(2 ε_T)
@@ -94,7 +102,7 @@ void GaussPointContact<D>::advance_slip_point(std::size_t i, History<D>& history
 /// Adds what the points have worn in an accepted step.
 template <int D> void GaussPointContact<D>::wear(History<D>& present, const History<D>& accepted) const {
   const double share = parameters_.energy_share();
-  for (std::size_t i = 0; i < points_.size(); ++i) {
+  for (const std::size_t i : watched_points(present)) {
     const PointResult<D>& result = present.results[i];
     const double before = pressure_of(accepted, i) * accepted.results[i].area;
     present.worn_volume += share * result.area * result.worn;
@@ -159,6 +167,7 @@ template <int D> void GaussPointContact<D>::choose_points(History<D>& present, d
     all.insert(all.end(), after.begin(), after.end());
   }
   present.sparse = sparse;
+  if (!all.empty()) watch_all(present);
   evaluate_points(present, all, penalty_factor);
   for (const std::size_t i : all) present.growth += potential(*this, present, i);
 }

@@ -42,13 +42,15 @@ template <int D> Lookout<D> lookout(const Formulation<D>& contact, std::size_t i
 }
 
 template <int D>
-bool is_alone(const Formulation<D>& contact, std::size_t first, const History<D>& present, const History<D>& accepted,
+bool is_alone(const Formulation<D>& contact, int element, const History<D>& present, const History<D>& accepted,
               double guessed) {
   const ContactPoints<D>& points = contact.points();
   if (!contact.parameters().active(accepted.changes)) return false;
-  const int element = points.list[first].element;
-  double own = 0;
-  for (std::size_t i = first; i < points.size() && points.list[i].element == element; ++i) {
+  const std::size_t first = points.starts[element], last = points.starts[element + 1];
+  const bool watched = is_watched(present, first) || is_watched(accepted, first);
+  // Points without a past have no foot, and touch at one gap.
+  double own = watched ? 0 : std::max(touching(contact, first, present), 0.0);
+  for (std::size_t i = first; i < last && watched; ++i) {
     if (!acts(points, present, i)) continue;
     if (present.points[i].projection.foot != Foot::none || accepted.points[i].projection.foot != Foot::none)
       return false;
@@ -58,6 +60,15 @@ bool is_alone(const Formulation<D>& contact, std::size_t first, const History<D>
   const Surroundings& around = master.set()->surroundings;
   return master.boxes().is_alone(*master.surface(), around.numbers[element], reach_of(contact, element, own + guessed),
                                  around[element]);
+}
+
+template <int D> bool has_no_past(const Formulation<D>& contact, int element, const History<D>& present) {
+  const ContactPoints<D>& points = contact.points();
+  const std::size_t first = points.starts[element], last = points.starts[element + 1];
+  if (!is_watched(present, first)) return true;
+  return contact.parameters().overlap.empty() &&
+         std::all_of(present.points.begin() + first, present.points.begin() + last,
+                     [](const PointHistory<D>& point) { return !point.slips && point.worn == 0; });
 }
 
 template <int D>
@@ -79,7 +90,8 @@ bool has_passed_through(const Formulation<D>& contact, std::size_t i, const Hist
 
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \
   template Lookout<D> lookout(const Formulation<D>&, std::size_t, const Trial<D>&);                                    \
-  template bool is_alone(const Formulation<D>&, std::size_t, const History<D>&, const History<D>&, double);            \
+  template bool is_alone(const Formulation<D>&, int, const History<D>&, const History<D>&, double);                    \
+  template bool has_no_past(const Formulation<D>&, int, const History<D>&);                                            \
   template bool has_passed_through(const Formulation<D>&, std::size_t, const History<D>&, const History<D>&, double);
 SIGNORINI_INSTANTIATE(2)
 SIGNORINI_INSTANTIATE(3)

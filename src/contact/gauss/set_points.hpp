@@ -12,11 +12,13 @@ template <int D> Lookout<D> lookout(const Formulation<D>& contact, std::size_t i
 template <int D> bool is_first_of_element(const ContactPoints<D>& points, std::size_t i) {
   return i == 0 || points.list[i].element != points.list[i - 1].element;
 }
-/// True only if the points of an element of a set, of which `first` is the first, are open and touch nothing on the way
-/// from the accepted to the present state. `guessed`: see Controls.
+/// True only if the points of an element of a set are open and touch nothing on the way from the accepted to the
+/// present state. `guessed`: see Controls.
 template <int D>
-bool is_alone(const Formulation<D>& contact, std::size_t first, const History<D>& present, const History<D>& accepted,
+bool is_alone(const Formulation<D>& contact, int element, const History<D>& present, const History<D>& accepted,
               double guessed = 0);
+/// True if an element that is alone need not be watched: no later step depends on what its points have gone through.
+template <int D> bool has_no_past(const Formulation<D>& contact, int element, const History<D>& present);
 /// True if point i of a set, which `is_alone` does not tell to be open, has passed through a part of it since the
 /// accepted state (crossing.hpp). `moved`: bound on the set's motion since then.
 template <int D>

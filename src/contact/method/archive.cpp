@@ -218,7 +218,7 @@ Method read(ArchiveReader& from, std::type_identity<Method>) {
 }
 
 template <int D> void write_history(ArchiveWriter& to, const History<D>& history) {
-  const auto& [points, results, multipliers, multiplier_results, bonds, sparse, changes, dissipated, growth,
+  const auto& [points, results, multipliers, multiplier_results, bonds, sparse, watched, changes, dissipated, growth,
                offset_work, debonding, worn_volume, wear] = history;
   to.put(changes, dissipated, growth, offset_work, debonding, worn_volume, wear,
          static_cast<std::uint64_t>(points.size()));
@@ -246,8 +246,9 @@ template <int D> void check_feet(const PointHistory<D>& point, const Surface<D>*
 } // namespace
 
 template <int D> void read_history(ArchiveReader& from, const Formulation<D>& formulation, History<D>& history) {
-  auto& [points, results, multipliers, multiplier_results, bonds, sparse, changes, dissipated, growth, offset_work,
-         debonding, worn_volume, wear] = history;
+  auto& [points, results, multipliers, multiplier_results, bonds, sparse, watched, changes, dissipated, growth,
+         offset_work, debonding, worn_volume, wear] = history;
+  watch_all(history);
   from.into(changes, dissipated, growth, offset_work, debonding, worn_volume, wear);
   const auto count = from.get<std::uint64_t>();
   require(count == points.size(), "contact.archive.points", {{"saved", count}, {"count", points.size()}});

@@ -65,7 +65,7 @@ template <int D> std::optional<PeakZone<D>> peak_zone(const Formulation<D>& form
 
 template <int D> double mean_pressure(const ContactPoints<D>& points, const History<D>& history) {
   double largest = 0, force = 0, area = 0;
-  for (std::size_t i = 0; i < points.size(); ++i) {
+  for (const std::size_t i : watched_points(history)) {
     if (acts(points, history, i)) {
       const PointResult<D>& result = history.results[i];
       const bool open = result.state == ContactState::open;

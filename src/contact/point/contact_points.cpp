@@ -39,9 +39,11 @@ ContactPoints<D>::ContactPoints(const Surface<D>& slave, int per_direction, bool
     }
   };
   for (int e = 0; e < slave.elements(); ++e) {
+    starts.push_back(list.size());
     add(e, full, false);
     if (sparse > 0) add(e, sparse, true);
   }
+  starts.push_back(list.size());
   require(!list.empty(), "contact.points.none");
 }
 

@@ -40,6 +40,7 @@ template <int D> struct ContactPoints {
   int full, sparse;  ///< points per direction of the rules
   bool whole = true; ///< none is outside the region
   std::vector<ContactPoint> list;
+  std::vector<std::size_t> starts; ///< first point of each slave element, and behind the last one
   std::vector<double> values;
   std::vector<Vec<D>> reference;             ///< positions in the reference configuration
   std::vector<FaceCoordinates<D>> axes = {}; ///< of a law with an axis

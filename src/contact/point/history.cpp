@@ -9,12 +9,15 @@ History<D>::History(const ContactPoints<D>& of, int count, bool bonded)
     : points(of.size()), results(of.size()), multipliers(count), multiplier_results(count),
       bonds(bonded ? of.size() : 0) {
   for (std::size_t i = 0; i < of.size(); ++i) results[i].position = of.reference[i];
+  watch_all(*this);
   if (of.sparse > 0) sparse.resize(of.list.back().element + 1, 0);
 }
 
 template <int D> Resultant<D> resultant(const History<D>& history) {
   Resultant<D> sum;
-  for (const PointResult<D>& point : history.results) {
+  for (const std::size_t i : watched_points(history)) {
+    const PointResult<D>& point = history.results[i];
+    sum.max_wear = std::max(sum.max_wear, history.points[i].worn);
     sum.force += point.force;
     if (point.state == ContactState::open) continue;
     sum.max_pressure = std::max(sum.max_pressure, point.pressure);
@@ -22,7 +25,6 @@ template <int D> Resultant<D> resultant(const History<D>& history) {
     ++sum.active;
     if (point.state == ContactState::slip) ++sum.slipping;
   }
-  for (const PointHistory<D>& point : history.points) sum.max_wear = std::max(sum.max_wear, point.worn);
   return sum;
 }
 

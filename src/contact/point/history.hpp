@@ -5,6 +5,9 @@
 #include "contact/point/contact_points.hpp"
 #include "contact/point/local.hpp"
 
+#include <algorithm>
+#include <ranges>
+
 namespace signorini::contact {
 
 /// Result of one contact point in an evaluation.
@@ -27,11 +30,6 @@ template <int D> struct PointResult {
   FrictionFlaw flaw = FrictionFlaw::none; ///< see Slide
   double worn = 0;                        ///< depth by which it wears in the step
 };
-
-/// True if nothing but the position is known of a point, which is open.
-template <int D> bool is_empty(const PointResult<D>& point) {
-  return point.state == ContactState::open && point.law_area == 0 && !point.beyond && point.settled;
-}
 
 /// `area` per `law_area`: the law's pressure is `pressure` times this.
 template <int D> double stretch(const PointResult<D>& point) {
@@ -92,6 +90,11 @@ template <int D> struct MultiplierHistory {
   double slipped = 0, recent = 0, worn = 0; ///< as those of a point
 };
 
+/// Numbers of consecutive contact points: whole elements.
+struct PointRange {
+  std::size_t first, last;
+};
+
 /// One entry per contact point in the first two lists, one per multiplier in the others.
 template <int D> struct History {
   explicit History(const ContactPoints<D>& of, int multipliers = 0, bool bonded = false);
@@ -102,6 +105,9 @@ template <int D> struct History {
   std::vector<MultiplierResult<D>> multiplier_results;
   std::vector<PointBond<D>> bonds = {}; ///< one per point of a cohesive contact, otherwise none
   std::vector<char> sparse = {};        ///< per slave element, true if its sparse rule acts; empty if there are none
+  /// In ascending order, all but elements of sets that nothing has reached in the last evaluation: the others' points
+  /// are open, have no foot and no past, and their results only the position in the accepted state.
+  std::vector<PointRange> watched;
   Changes changes = {};
   /// Sums over all accepted steps, by the trapezoidal rule over each: work of friction, ∫ μ t_N dγ da; ∫∫ φ dA, the
   /// law's energy φ per area times the growth of the area A on which its tractions act, which no force does; and the
@@ -122,6 +128,29 @@ template <class Any> void add_slip(Any& history, ContactState state, double slip
 /// True if point i acts: it belongs to the rule of its element.
 template <int D> bool acts(const ContactPoints<D>& points, const History<D>& history, std::size_t i) {
   return history.sparse.empty() || (history.sparse[points.list[i].element] != 0) == points.list[i].sparse;
+}
+
+/// True if point i is watched.
+template <int D> bool is_watched(const History<D>& history, std::size_t i) {
+  const auto after = std::ranges::upper_bound(history.watched, i, {}, &PointRange::first);
+  return after != history.watched.begin() && i < std::prev(after)->last;
+}
+/// The numbers of all watched points.
+template <int D> auto watched_points(const History<D>& history) {
+  return history.watched |
+         std::views::transform([](const PointRange& range) { return std::views::iota(range.first, range.last); }) |
+         std::views::join;
+}
+/// Adds a range behind all watched ones.
+template <int D> void watch(History<D>& history, const PointRange& next) {
+  if (!history.watched.empty() && history.watched.back().last == next.first)
+    history.watched.back().last = next.last;
+  else
+    history.watched.push_back(next);
+}
+/// Makes all points watched, until the next evaluation.
+template <int D> void watch_all(History<D>& history) {
+  history.watched = {{0, history.points.size()}};
 }
 
 /// Sums over a contact. Largest pressure and penetration are over the points that are not open. The area, which is not

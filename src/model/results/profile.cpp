@@ -43,7 +43,7 @@ template <int D> Profile profile(const Model<D>& model, int contact) {
     }
     if (formulation.parameters().wears()) result.worn.push_back(history.points[i].worn);
     const bool is_held = touches(point.state) || point.state == contact::ContactState::bonded;
-    append<D>(point.position, {&result.x, &result.y, &result.z});
+    append<D>(position(formulation, history, i), {&result.x, &result.y, &result.z});
     result.area.push_back(point.area);
     result.pressure.push_back(point.pressure);
     if constexpr (D == 2) {

@@ -17,7 +17,7 @@ template <int D> std::vector<PairForce<D>> set_forces(const Model<D>& model, int
     for (std::size_t b = a + 1; b < bodies.size(); ++b) forces.push_back({bodies[a], bodies[b]});
 
   const double share = formulation.parameters().energy_share(); // half passes compute both forces
-  for (std::size_t i = 0; i < history.results.size(); ++i) {
+  for (const std::size_t i : watched_points(history)) {
     const int element = history.points[i].projection.element;
     if (history.results[i].area == 0 || element < 0) continue;
     const int own = named.slave[formulation.slave().sheet(formulation.points().list[i].element)].body;

@@ -85,14 +85,14 @@ template <int D> bool ActiveSet<D>::record(const Histories& histories, double re
 template <int D> typename ActiveSet<D>::Entry ActiveSet<D>::entry(const Histories& histories, double residual) const {
   Entry entry{residual};
   const std::size_t count = contacts_.empty() ? 0 : contacts_.back().last;
-  entry.states.resize(count);
+  entry.states.assign(count, static_cast<unsigned char>(contact::ContactState::open));
   entry.gaps.resize(count);
   entry.frictions.assign(count, Vec<D>::Zero());
-  std::size_t n = 0;
   for (std::size_t k = 0; k < histories.size(); ++k) {
     const contact::History<D>& history = histories[k];
     const bool points = history.multipliers.empty();
-    for (int i = 0; i < constraints(history); ++i, ++n) {
+    const auto add = [&](int i) {
+      const int n = contacts_[k].first + i;
       const contact::Constraint one = constraint(history, i);
       entry.states[n] = code(one);
       entry.closed += is_closed(entry.states[n]);
@@ -102,7 +102,10 @@ template <int D> typename ActiveSet<D>::Entry ActiveSet<D>::entry(const Historie
                              : history.multiplier_results[i].gap;
       if (one.state == contact::ContactState::slip)
         entry.frictions[n] = points ? history.results[i].friction : history.multiplier_results[i].friction;
-    }
+    };
+    for (int i = 0; i < constraints(history) && !points; ++i) add(i);
+    for (const std::size_t i : watched_points(history))
+      if (points) add(static_cast<int>(i));
   }
   return entry;
 }

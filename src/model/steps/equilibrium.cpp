@@ -143,7 +143,7 @@ template <int D> solve::Outcome check_start(Model<D>& model, Message& why) {
 template <int D> double contact_norm(const Model<D>& model) {
   double sum = 0;
   for (const contact::History<D>& history : model.present.contacts)
-    for (const contact::PointResult<D>& point : history.results) sum += point.force.squaredNorm();
+    for (const std::size_t i : watched_points(history)) sum += history.results[i].force.squaredNorm();
   return std::sqrt(sum);
 }
 
@@ -180,7 +180,8 @@ template <int D> bool contact_acts(const Model<D>& model, double rounding) {
   for (const NamedBody<D>& named : model.system.scene.bodies)
     softest = std::min(softest, named.body->material().constants().youngs_modulus);
   for (const contact::History<D>& history : model.present.contacts)
-    for (const contact::PointResult<D>& point : history.results) {
+    for (const std::size_t i : watched_points(history)) {
+      const contact::PointResult<D>& point = history.results[i];
       force += std::abs(point.pressure) * point.area;
       pressure = std::max(pressure, std::abs(point.pressure));
     }
