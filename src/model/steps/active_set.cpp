@@ -75,7 +75,7 @@ template <int D> bool ActiveSet<D>::record(const Histories& histories, double re
   if (entries_.size() > remembered_evaluations) entries_.pop_front();
   if (phase_ == Phase::free) fix_changing(histories);
   if (begins) {
-    entries_.back().frictions.assign(counts_.size(), Vec<D>::Zero());
+    std::ranges::fill(entries_.back().frictions, Vec<D>::Zero());
     return false;
   }
   const bool sticks = stick_reversed(), retained = retain();
@@ -87,7 +87,8 @@ template <int D> typename ActiveSet<D>::Entry ActiveSet<D>::entry(const Historie
   const std::size_t count = contacts_.empty() ? 0 : contacts_.back().last;
   entry.states.assign(count, static_cast<unsigned char>(contact::ContactState::open));
   entry.gaps.resize(count);
-  entry.frictions.assign(count, Vec<D>::Zero());
+  const bool reverses = std::ranges::any_of(contacts_, &ContactEntry::has_multipliers);
+  if (reverses) entry.frictions.assign(count, Vec<D>::Zero());
   for (std::size_t k = 0; k < histories.size(); ++k) {
     const contact::History<D>& history = histories[k];
     const bool points = history.multipliers.empty();
@@ -100,7 +101,7 @@ template <int D> typename ActiveSet<D>::Entry ActiveSet<D>::entry(const Historie
       entry.gaps[n] = points ? history.points[i].projection.gap -
                                    contacts_[k].parameters->offset(static_cast<std::size_t>(i), history)
                              : history.multiplier_results[i].gap;
-      if (one.state == contact::ContactState::slip)
+      if (reverses && one.state == contact::ContactState::slip)
         entry.frictions[n] = points ? history.results[i].friction : history.multiplier_results[i].friction;
     };
     for (int i = 0; i < constraints(history) && !points; ++i) add(i);
@@ -118,6 +119,7 @@ template <int D> bool ActiveSet<D>::retain() {
   if (entries_.size() < 2 || phase_ == Phase::frozen) return false;
   const Entry& before = entries_[entries_.size() - 2];
   Entry& now = entries_.back();
+  if (now.states == before.states) return false; // nothing opens
   int closed = 0;
   std::vector<PointIndex> opened;
   for (std::size_t k = 0; k < contacts_.size(); ++k) {
@@ -155,7 +157,7 @@ template <int D> bool ActiveSet<D>::stick_reversed() {
   Entry& now = entries_.back();
   for (std::size_t k = 0; k < contacts_.size(); ++k) {
     const ContactEntry& own = contacts_[k];
-    if (!(own.weighted || own.solved) || !fixed_[k].empty()) continue;
+    if (!own.has_multipliers() || !fixed_[k].empty()) continue;
     for (int i = own.first; i < own.last; ++i) {
       if (!(now.frictions[i].dot(before.frictions[i]) < 0)) continue;
       fixed_[k].resize(own.last - own.first, contact::FixedContactState::free);
@@ -172,7 +174,8 @@ template <int D> void ActiveSet<D>::fix_changing(const Histories& histories) {
   if (entries_.size() < 2) return;
   const std::vector<unsigned char>&states = entries_.back().states, &before = entries_[entries_.size() - 2].states;
   const auto often = [&](int changes) { return changes_too_often(options_, changes); };
-  for (std::size_t i = 0; i < counts_.size(); ++i) counts_[i] += states[i] != before[i];
+  if (states != before)
+    for (std::size_t i = 0; i < counts_.size(); ++i) counts_[i] += states[i] != before[i];
   for (std::size_t k = 0; k < histories.size(); ++k) {
     const int first = contacts_[k].first, count = contacts_[k].last - first;
     if (std::none_of(counts_.begin() + first, counts_.begin() + contacts_[k].last, often)) continue;

@@ -64,12 +64,14 @@ private:
     int closed = 0;                         ///< number of those that touch
     std::vector<unsigned char> states = {}; ///< see code()
     std::vector<double> gaps = {};          ///< less their offsets
-    std::vector<Vec<D>> frictions = {};     ///< of those that slip, otherwise 0
+    std::vector<Vec<D>> frictions = {};     ///< of those that slip, otherwise 0; empty if no contact has multipliers
   };
   struct ContactEntry {
     int first, last;                   ///< indices of its first constraint and after its last one
     bool frictional, weighted, solved; ///< `weighted`: has multipliers; `solved`: they are unknowns
     const contact::Parameters* parameters;
+
+    bool has_multipliers() const { return weighted || solved; }
   };
   void release();
   Entry entry(const Histories& histories, double residual) const;
