@@ -2,6 +2,7 @@
 
 #include "contact/gauss/gauss_point_contact.hpp"
 #include "contact/gauss/history_transfer.hpp"
+#include "contact/gauss/set_points.hpp"
 #include "contact/point/point_choice.hpp"
 #include "contact/point/unfold.hpp"
 
@@ -177,6 +178,7 @@ template <int D> void GaussPointContact<D>::choose_points(History<D>& present, d
 template <int D>
 bool GaussPointContact<D>::is_near(const History<D>& present, std::span<const std::size_t> points,
                                    double distance) const {
+  if (faces_.master.set() && is_far(*this, points_.list[points.front()].element, present, distance)) return false;
   FacePoint<D> foot;
   return std::any_of(points.begin(), points.end(), [&](std::size_t i) {
     const PointHistory<D>& point = present.points[i];

@@ -1,9 +1,11 @@
 #include "contact/gauss/set_points.hpp"
 
+#include "contact/constants.hpp"
 #include "contact/point/crossing.hpp"
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 namespace signorini::contact {
 
@@ -41,11 +43,14 @@ template <int D> Lookout<D> lookout(const Formulation<D>& contact, std::size_t i
   return from;
 }
 
+namespace {
+
+/// The largest gap at which a point of an element touches, at least zero; none if a point has a foot.
 template <int D>
-bool is_alone(const Formulation<D>& contact, int element, const History<D>& present, const History<D>& accepted,
-              double guessed) {
+std::optional<double> largest_touching(const Formulation<D>& contact, int element, const History<D>& present,
+                                       const History<D>& accepted) {
   const ContactPoints<D>& points = contact.points();
-  if (!contact.parameters().active(accepted.changes)) return false;
+  if (!contact.parameters().active(accepted.changes)) return std::nullopt;
   const std::size_t first = points.starts[element], last = points.starts[element + 1];
   const bool watched = is_watched(present, first) || is_watched(accepted, first);
   // Points without a past have no foot, and touch at one gap.
@@ -53,13 +58,33 @@ bool is_alone(const Formulation<D>& contact, int element, const History<D>& pres
   for (std::size_t i = first; i < last && watched; ++i) {
     if (!acts(points, present, i)) continue;
     if (present.points[i].projection.foot != Foot::none || accepted.points[i].projection.foot != Foot::none)
-      return false;
+      return std::nullopt;
     own = std::max(own, touching(contact, i, present));
   }
+  return own;
+}
+
+template <int D> bool is_alone(const Formulation<D>& contact, int element, const Reach& reach) {
   const Master<D>& master = contact.master();
   const Surroundings& around = master.set()->surroundings;
-  return master.boxes().is_alone(*master.surface(), around.numbers[element], reach_of(contact, element, own + guessed),
-                                 around[element]);
+  return master.boxes().is_alone(*master.surface(), around.numbers[element], reach, around[element]);
+}
+
+} // namespace
+
+template <int D>
+bool is_alone(const Formulation<D>& contact, int element, const History<D>& present, const History<D>& accepted,
+              double guessed) {
+  const auto own = largest_touching(contact, element, present, accepted);
+  return own && is_alone(contact, element, reach_of(contact, element, *own + guessed));
+}
+
+template <int D> bool is_far(const Formulation<D>& contact, int element, const History<D>& accepted, double distance) {
+  const auto own = largest_touching(contact, element, accepted, accepted);
+  if (!own) return false;
+  Reach reach = reach_of(contact, element, *own + distance);
+  reach.own = std::min(reach.own, near_elements * contact.master().set()->lengths[contact.slave().sheet(element)]);
+  return is_alone(contact, element, reach);
 }
 
 template <int D> bool has_no_past(const Formulation<D>& contact, int element, const History<D>& present) {
@@ -91,6 +116,7 @@ bool has_passed_through(const Formulation<D>& contact, std::size_t i, const Hist
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \
   template Lookout<D> lookout(const Formulation<D>&, std::size_t, const Trial<D>&);                                    \
   template bool is_alone(const Formulation<D>&, int, const History<D>&, const History<D>&, double);                    \
+  template bool is_far(const Formulation<D>&, int, const History<D>&, double);                                         \
   template bool has_no_past(const Formulation<D>&, int, const History<D>&);                                            \
   template bool has_passed_through(const Formulation<D>&, std::size_t, const History<D>&, const History<D>&, double);
 SIGNORINI_INSTANTIATE(2)

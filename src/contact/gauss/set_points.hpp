@@ -17,6 +17,9 @@ template <int D> bool is_first_of_element(const ContactPoints<D>& points, std::s
 template <int D>
 bool is_alone(const Formulation<D>& contact, int element, const History<D>& present, const History<D>& accepted,
               double guessed = 0);
+/// True only if no point of an element of a set, in the accepted state, is nearer to contact than a distance with what
+/// it looks for.
+template <int D> bool is_far(const Formulation<D>& contact, int element, const History<D>& accepted, double distance);
 /// True if an element that is alone need not be watched: no later step depends on what its points have gone through.
 template <int D> bool has_no_past(const Formulation<D>& contact, int element, const History<D>& present);
 /// True if point i of a set, which `is_alone` does not tell to be open, has passed through a part of it since the
