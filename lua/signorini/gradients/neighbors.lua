@@ -16,6 +16,22 @@ local function record_of(model, path)
   return record
 end
 
+--- Records the present state as a row; `measure`: of model:run.
+local function record_state(record, row, model, measure)
+  for _, append in ipairs(record.recorders) do append(row) end
+  for name, value in pairs(measure and measure(model) or {}) do
+    record.values[name] = record.values[name] or recorders.add_column(record, name)
+    record.values[name][row] = value
+  end
+end
+
+--- The values of a model before its run, as row 0 of its columns.
+function Neighbors.start_of(model, path, measure)
+  local record = record_of(model, path)
+  record_state(record, 0, model, measure)
+  return record.values
+end
+
 --- `pairs`: by parameter { name, at, size, step, plus, minus }, the last two { model, path (stages that have been
 --- read), options }. `fail(pair, text)`: reports what is wrong with a neighbor.
 function Neighbors.new(pairs, fail)
@@ -39,6 +55,7 @@ end
 
 --- Follows the run, which has converged at the fraction `to` of its step `step` and not accepted that state yet.
 function Neighbors:follow(step, to, solver)
+  local factored
   for _, pair in ipairs(self.pairs) do
     for _, side in ipairs { pair.plus, pair.minus } do
       local own = step:of_neighbor(side.model, side.path[self.stage], side.options)
@@ -46,7 +63,9 @@ function Neighbors:follow(step, to, solver)
       own:set_penalty(to)
     end
     local found = core.follow_run(step.model, lists.merged(solver, { plus = pair.plus.model, minus = pair.minus.model,
-                                                                 step = pair.step, size = pair.size }))
+                                                                 step = pair.step, size = pair.size,
+                                                                 factored = factored }))
+    if found.renewed then factored = pair.plus.model end
     if found.failure then
       self.fail(pair, ("step %d is not reached: %s"):format(step.run.steps + 1, found.failure))
     end
@@ -71,14 +90,14 @@ end
 --- Records the accepted state, the last of a step; `measure`: of model:run.
 function Neighbors:record(measure)
   self:each(function(side)
-    local record = side.record
-    record.rows = record.rows + 1
-    for _, append in ipairs(record.recorders) do append(record.rows) end
-    for name, value in pairs(measure and measure(side.model) or {}) do
-      record.values[name] = record.values[name] or recorders.add_column(record, name)
-      record.values[name][record.rows] = value
-    end
+    side.record.rows = side.record.rows + 1
+    record_state(side.record, side.record.rows, side.model, measure)
   end)
+end
+
+--- Records the state before the run as row 0.
+function Neighbors:record_start(measure)
+  self:each(function(side) record_state(side.record, 0, side.model, measure) end)
 end
 
 --- Removes the last record.

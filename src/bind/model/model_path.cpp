@@ -108,18 +108,19 @@ template <int D> int solve_arc(model::Model<D>& model, const Arguments& a, lua_S
   return 1;
 }
 
-/// core.follow_run(model, { plus, minus, step, size, … of model:solve_step }): see gradients/neighbors.hpp; a table {
-/// passes, defect, forces, kinks, share, contact, place }, or { failure }.
+/// core.follow_run(model, { plus, minus, step, size, factored, … of model:solve_step }): see gradients/neighbors.hpp; a
+/// table { passes, renewed, defect, forces, kinks, share, contact, place }, or { failure }.
 template <int D> int follow_run(model::Model<D>& model, const Arguments& a, lua_State* L) {
   const model::Neighbors<D> neighbors{*a.object<Model<D>>("plus"), *a.object<Model<D>>("minus"), a.get<double>("step"),
-                                      a.get<double>("size")};
+                                      a.get<double>("size"),
+                                      a.has("factored") ? &*a.object<Model<D>>("factored") : nullptr};
   const model::FollowReport<D> report = model::follow_run(model, neighbors, read_step_options(a));
   if (!report.failure.code.empty()) {
     push_fields(L, "failure", worded(report.failure));
     return 1;
   }
-  push_fields(L, "passes", report.passes, "defect", report.defect, "forces", report.forces, "kinks",
-              report.kinks.points, "share", report.kinks.share);
+  push_fields(L, "passes", report.passes, "renewed", report.renewed, "defect", report.defect, "forces", report.forces,
+              "kinks", report.kinks.points, "share", report.kinks.share);
   if (report.kinks.contact >= 0) {
     set_field(L, "contact", model.system.scene.contacts[report.kinks.contact].name);
     set_field(L, "place", std::vector<double>(report.kinks.place.begin(), report.kinks.place.end()));

@@ -48,17 +48,23 @@ struct Defect {
 template <int D> class Corrector {
 public:
   Corrector(Model<D>& run, const Neighbors<D>& neighbors, const StepOptions& options)
-      : run_(run), neighbors_(neighbors), options_(options) {
-    if (!run.linear.is_ready()) renew(false);
+      : factored_(&run), neighbors_(neighbors), options_(options) {
+    if (neighbors.factored)
+      factored_ = neighbors.factored;
+    else if (!run.linear.is_ready())
+      renew(false);
   }
 
   /// True if there are better factors than those used so far. The neighbors are in the state of their last evaluation.
   bool renew(bool kinked) {
     if (std::exchange(tried_, true) && !kinked) return false;
-    own_ = factor(neighbors_.plus);
-    separate_ = own_ && kinked && factor(neighbors_.minus);
-    return own_;
+    if (!factor(neighbors_.plus)) return false;
+    factored_ = &neighbors_.plus;
+    separate_ = kinked && factor(neighbors_.minus);
+    return true;
   }
+  /// Whether the factors in use are those of the neighbor above.
+  bool is_renewed() const { return factored_ == &neighbors_.plus; }
   /// False without factors.
   bool correct(const Defect& defect, bool kinked, Rates& rates) {
     if (separate_) {
@@ -68,9 +74,8 @@ public:
       rates.even -= 0.5 * (plus + minus);
       return true;
     }
-    Model<D>& model = own_ ? neighbors_.plus : run_;
     VectorX odd = defect.odd, even = defect.even;
-    if (!solve(model, odd) || (kinked && !solve(model, even))) return false;
+    if (!solve(*factored_, odd) || (kinked && !solve(*factored_, even))) return false;
     rates.odd -= odd;
     if (kinked) rates.even -= even;
     return true;
@@ -86,10 +91,10 @@ private:
     return model.linear.is_ready() && model.linear.solve_aside(b, solution_tolerance) && b.allFinite();
   }
 
-  Model<D>& run_;
+  Model<D>* factored_; ///< whose factors are in use
   const Neighbors<D>& neighbors_;
   const StepOptions& options_;
-  bool tried_ = false, own_ = false, separate_ = false;
+  bool tried_ = false, separate_ = false;
 };
 
 template <int D> double force_of(const contact::PointResult<D>& point) {
@@ -140,6 +145,11 @@ template <int D> Kinks<D> find_kinks(const Model<D>& run, const Neighbors<D>& ne
   return kinks;
 }
 
+/// How many passes are left from a residual to `target` at the rate of the last one.
+double passes_left(double before, double now, double target) {
+  return now < before ? std::log(target / now) / std::log(now / before) : std::numeric_limits<double>::infinity();
+}
+
 /// Evaluates both neighbors; none, with the reason in `why`, if an element is inverted.
 template <int D>
 std::optional<Defect> evaluate_at(const Neighbors<D>& neighbors, const std::array<VectorX, 2>& bases,
@@ -186,7 +196,8 @@ template <int D> FollowReport<D> follow_run(Model<D>& run, const Neighbors<D>& n
   if (!defect) return report;
   Corrector<D> corrector(run, neighbors, options);
   const double first = defect->odd.norm(), most = std::max(first, force_norm(run) / neighbors.size);
-  double least = std::numeric_limits<double>::infinity();
+  const double good = good_derivative * most, rounded = std::max(good, rounding_floor(run) / neighbors.step);
+  double least = std::numeric_limits<double>::infinity(), last = least;
   for (int slow = 0;; ++report.passes) {
     const bool kinked = defect->even.norm() > kinked_part * most;
     const double norm = std::max(defect->odd.norm(), kinked ? defect->even.norm() : 0);
@@ -196,8 +207,10 @@ template <int D> FollowReport<D> follow_run(Model<D>& run, const Neighbors<D>& n
       best = rates;
     }
     if (norm <= exact_derivative * first || report.passes == most_passes) break;
-    if (slow > 0 && least <= good_derivative * most) break;
-    if (slow > 0 && corrector.renew(kinked)) slow = 0;
+    if (slow > 0 && least <= (norm < last ? good : rounded)) break;
+    const bool is_long = report.passes > 0 && passes_left(last, norm, exact_derivative * first) > few_passes;
+    if ((slow > 0 || is_long) && least > rounded && corrector.renew(kinked)) slow = 0;
+    last = norm;
     if (slow == most_slow_passes) break;
     if (!corrector.correct(*defect, kinked, rates)) {
       report.failure = Message("model.gradients.singular");
@@ -208,6 +221,7 @@ template <int D> FollowReport<D> follow_run(Model<D>& run, const Neighbors<D>& n
   if (best.odd != rates.odd && !at(best)) return report;
   report.defect = least * neighbors.size;
   report.forces = std::max(most * neighbors.size, rounding_floor(run) / exact_derivative);
+  report.renewed = corrector.is_renewed();
   report.kinks = find_kinks(run, neighbors);
   for (Model<D>* model : both) take_present(*model);
   return report;

@@ -12,6 +12,9 @@ template <int D> struct Neighbors {
   Model<D>& minus;
   double step; ///< ε
   double size; ///< of the parameter, of which ε is a small part
+  /// A neighbor in another parameter that has made its factors in this step, as `renewed` of its report says, or
+  /// nullptr.
+  Model<D>* factored = nullptr;
 };
 
 /// Points whose states differ between the neighbors and the run: at a kink of its results.
@@ -24,8 +27,9 @@ template <int D> struct Kinks {
 
 template <int D> struct FollowReport {
   int passes = 0;
-  double defect = 0; ///< residual of the equation of the derivative, times the size of the parameter
-  double forces = 0; ///< what to compare it with: its first value, or the forces of supports and loads if larger
+  bool renewed = false; ///< the factors of the run gained too little, so that `plus` has those of its own state
+  double defect = 0;    ///< residual of the equation of the derivative, times the size of the parameter
+  double forces = 0;    ///< what to compare it with: its first value, or the forces of supports and loads if larger
   Kinks<D> kinks;
   Message failure = {}; ///< why the neighbors could not follow; its code is empty if they did
 };
