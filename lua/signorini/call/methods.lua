@@ -18,9 +18,10 @@ local function guarded(type_name, key, method, owns)
   local name = ("%s:%s"):format(type_name, key)
   return function(self, ...)
     if not owns(self) then
+      local with_article = require("signorini.call.describe").with_article
       local noun = rawget(core.types[type_name], "__name") or type_name
-      core.fail(("%s must be called on a %s, got %s. Hint: write it with a colon after the %s, %s(…)")
-        :format(name, noun, core.describe(self), noun, name))
+      core.fail(("%s must be called on %s, got %s. Hint: write it with a colon after the %s, %s(…)")
+        :format(name, with_article(noun), core.describe(self), noun, name))
     end
     return method(self, require("signorini.call.check").call(name, self, ...))
   end

@@ -3,6 +3,7 @@
 local core = require "signorini.core"
 local lists = require "signorini.call.lists"
 local meant = require("signorini.call.text").meant
+local with_article = require("signorini.call.describe").with_article
 
 local named = {}
 
@@ -39,7 +40,7 @@ function named.strict_type(methods, noun, private)
     local public = lists.filter(lists.sorted_names(methods), function(method)
       return pages.find(("%s:%s"):format(noun, method))
     end)
-    named.missing("a " .. noun, name, lists.joined(pages.keys(pages.find(noun).fields), public))
+    named.missing(with_article(noun), name, lists.joined(pages.keys(pages.find(noun).fields), public))
   end })
   return may_be_missing
 end

@@ -14,6 +14,7 @@ local recipes = require "signorini.scene.recipes"
 local remade = require "signorini.errors.remade"
 local Run = require "signorini.run.run_result"
 local run_warnings = require "signorini.run.run_warnings"
+local without_warnings = require "signorini.call.without_warnings"
 
 local ladder = {}
 
@@ -237,9 +238,7 @@ function ladder.solve(model, list, options, goals, refuses, display)
   local _, directions = remade.size(model)
   local state = { scene = scene, solved = {}, levels = {}, directions = directions,
                   stiffness = stiffest / remade.stiffness(model) }
-  core.mute_warnings(true)
-  local done, level = pcall(climb, state, goals, refuses, display)
-  core.mute_warnings(false)
+  local done, level = pcall(without_warnings, climb, state, goals, refuses, display)
   if not done and level == companions.interrupted then return nil, core.interruption() end
   if not done then error(level, 0) end
   return level, state.levels

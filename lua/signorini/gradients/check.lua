@@ -6,6 +6,7 @@ local gradients = require "signorini.gradients.gradients"
 local lists = require "signorini.call.lists"
 local run_path = require "signorini.run.run"
 local scene = require "signorini.gradients.scene"
+local without_warnings = require "signorini.call.without_warnings"
 
 local where = "sg.check_gradients"
 
@@ -15,12 +16,11 @@ Check.__name = "check of gradients"
 
 --- The columns of a run at other values of the parameters; nil if it has failed.
 local function solve(search, values, changed)
-  core.mute_warnings(true)
-  local done, made = pcall(scene.make, where, search.scene, values, changed)
-  local run = done and run_path(made.model, made.list,
-    lists.merged(made.options, { measure = search.measure or made.options.measure, verbose = false }))
-  core.mute_warnings(false)
-  if not done then error(made, 0) end
+  local run = without_warnings(function()
+    local made = scene.make(where, search.scene, values, changed)
+    return run_path(made.model, made.list,
+      lists.merged(made.options, { measure = search.measure or made.options.measure, verbose = false }))
+  end)
   return not run.failed and run.values or nil
 end
 

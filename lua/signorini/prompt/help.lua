@@ -12,6 +12,7 @@ local lists = require "signorini.call.lists"
 local meant = require("signorini.call.text").meant
 local synonyms = require "signorini.prompt.help.synonyms"
 local texts = require "signorini.prompt.help.texts"
+local with_article = require("signorini.call.describe").with_article
 local wrapped = require("signorini.call.text").wrapped
 
 local help = {}
@@ -162,7 +163,8 @@ end
 local function value_page(value)
   local page = page_of(value)
   if page then return pages.text(page.name) end
-  return type(value) == "table" and table_page(value) or ("There is no help page for a %s."):format(core.kind(value))
+  return type(value) == "table" and table_page(value)
+    or ("There is no help page for %s."):format(with_article(core.kind(value)))
 end
 
 --- sg.help.
@@ -224,7 +226,7 @@ end
 --- The text of a variable: its value in short, then the page of its type, if there is one.
 local function variable_text(name, value)
   local page = page_of(value)
-  local text = ("%s, a %s: %s"):format(name, pages.kind(value), show.text(value))
+  local text = ("%s, %s: %s"):format(name, with_article(pages.kind(value)), show.text(value))
   return page and ("%s\n\n%s"):format(text, pages.text(page.name)) or text
 end
 

@@ -14,6 +14,7 @@
 #include <set>
 #include <span>
 #include <sstream>
+#include <utility>
 
 namespace signorini::bind {
 
@@ -132,8 +133,8 @@ bool muted = false;
 
 } // namespace
 
-void mute_warnings(bool now) {
-  muted = now;
+bool mute_warnings(bool now) {
+  return std::exchange(muted, now);
 }
 
 void warn(const std::string& sentence) {

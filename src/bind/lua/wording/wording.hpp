@@ -24,8 +24,8 @@ std::string worded_in_one(const std::vector<Message>& messages);
 
 /// Prints a warning to standard error, each one once, unless they are muted.
 void warn(const std::string& sentence);
-/// Mutes warnings, or not: those of scenes that the program makes again are not the user's.
-void mute_warnings(bool muted);
+/// Mutes warnings, or not: those of scenes that the program makes again are not the user's. Returns whether they were.
+bool mute_warnings(bool muted);
 /// From now on prints warnings of the modules left of bind as sentences.
 void word_warnings();
 
