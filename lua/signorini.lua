@@ -32,6 +32,8 @@ sg.study = later("signorini.study.study", "new")
 sg.recommend = later "signorini.study.recommend"
 sg.gradients = later("signorini.gradients.gradients", "gradients")
 sg.check_gradients = later("signorini.gradients.check")
+sg.fit = later "signorini.inverse.fit"
+sg.optimize = later "signorini.inverse.optimize"
 sg.convergence_map = later "signorini.study.convergence_map"
 sg.work_precision = later "signorini.study.work_precision"
 sg.cheapest = later "signorini.study.cheapest"
@@ -50,6 +52,7 @@ require "signorini.scene.compound_type" (sg)
 local defined_in = { study = "signorini.study.study", patch_list = "signorini.scene.patch_list",
                      comparison = "signorini.study.work_precision",
                      map = "signorini.study.convergence_map", gradients = "signorini.gradients.gradients",
+                     fit = "signorini.inverse.fit_result", optimum = "signorini.inverse.optimum",
                      series = "signorini.output.pvd" }
 setmetatable(types, { __index = function(_, name)
   if not defined_in[name] then return nil end

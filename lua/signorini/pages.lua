@@ -32,7 +32,7 @@ local pages = {}
 --- The subjects in the order of the reference, each a file below pages/ that returns { title = …, word = … (for
 --- help), also = … (another word), page, … }; one with the title of the previous one continues it.
 pages.subjects = { "patches", "curves", "patch", "materials", "bodies", "formulas", "scene", "solving", "results",
-                   "methods", "scenes", "pictures", "charts", "studies", "gradients", "reports",
+                   "methods", "scenes", "pictures", "charts", "studies", "gradients", "inverse", "reports",
                    "scripts" }
 
 local loaded, texts = {}, {} -- lists of pages, and texts of the files that are not loaded yet, by subject

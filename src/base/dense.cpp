@@ -22,4 +22,9 @@ VectorX symmetric_eigenvalues(const MatrixX& a) {
   return Eigen::SelfAdjointEigenSolver<MatrixX>(a, Eigen::EigenvaluesOnly).eigenvalues();
 }
 
+SingularValues singular_values(const MatrixX& a) {
+  const Eigen::JacobiSVD<MatrixX> svd(a, Eigen::ComputeThinU | Eigen::ComputeThinV);
+  return {svd.matrixU(), svd.singularValues(), svd.matrixV()};
+}
+
 } // namespace signorini::dense

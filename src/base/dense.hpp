@@ -17,4 +17,12 @@ MatrixX orthogonal(const MatrixX& a);
 /// Eigenvalues of a symmetric A, ascending.
 VectorX symmetric_eigenvalues(const MatrixX& a);
 
+/// A = U diag(values) Vᵀ, values descending; A: m × n, U: m × k, V: n × k, k the smaller of m and n.
+struct SingularValues {
+  MatrixX u;
+  VectorX values;
+  MatrixX v;
+};
+SingularValues singular_values(const MatrixX& a);
+
 } // namespace signorini::dense

@@ -52,6 +52,16 @@ function make.gradients()
     return make.model(), { { steps = 1, bed = q.depth } }
   end }
 end
+--- A scene whose force grows with depth, and what changes it.
+local function pushed(q) return make.model(), { { name = "push", steps = 2, bed = q.depth } } end
+function make.fit()
+  return sg.fit { scene = pushed, start = { depth = 0.02 }, check = false,
+                  data = { { y = "bed.fy", points = { { 1, 0.004 }, { 2, 0.009 } } } } }
+end
+function make.optimum()
+  return sg.optimize { scene = pushed, start = { depth = 0.01 }, bounds = { depth = { 0.01, 0.011 } },
+                       least = "bed.fy" }
+end
 function make.state() return make.run():states()[1] end
 function make.study()
   local study = sg.study { name = "calls", folder = folder .. "/study", cases = sg.grid { mesh = { 1, 2 } },

@@ -12,6 +12,7 @@ local on_behalf_of = require "signorini.call.on_behalf_of"
 local run_path = require "signorini.run.run"
 local scene = require "signorini.gradients.scene"
 local t = require "signorini.call.types"
+local without_warnings = require "signorini.call.without_warnings"
 
 local Gradients = {}
 Gradients.__index = Gradients
@@ -20,7 +21,7 @@ core.types.gradients = Gradients
 named.strict_type(Gradients, "gradients", "pairs")
 
 -- Residual of the equations of the derivatives above which a warning says so.
-local coarse = 1e-6
+local coarse = 1e-5
 -- Share of the contact forces at kinks above which a warning says so.
 local noticed = 0.01
 
@@ -58,33 +59,37 @@ local function warnings_of(neighbors, run)
   return texts
 end
 
---- Solves the scene with its neighbors.
+--- Solves the scene with its neighbors. `search.constant`: parameters without derivatives, by name;
+--- `search.from_start`: columns also have a row 0, the state before the run, those of the run in `start`.
 local function solve(where, search)
-  local parameters = scene.parameters(where, search.at, search.scale)
+  local parameters = scene.parameters(where, search.at, search.scale, search.constant)
   local own = scene.make(where, search.scene, search.at)
-  core.mute_warnings(true)
-  local done, list = pcall(lists.map, parameters, function(parameter)
+  local list = without_warnings(lists.map, parameters, function(parameter)
     return neighbors_of(where, search.scene, search.at, own, parameter)
   end)
-  core.mute_warnings(false)
-  if not done then error(list, 0) end
   local neighbors = Neighbors.new(list, function(pair, text)
     core.fail(("%s: next to %s: %s"):format(where, scene.place(pair.name, pair.at), text))
   end)
   local options = lists.merged(own.options, { measure = search.measure or own.options.measure, neighbors = neighbors })
+  local start
+  if search.from_start then
+    neighbors:record_start(options.measure)
+    start = Neighbors.start_of(own.model, own.path, options.measure)
+  end
   local run = run_path(own.model, own.list, options)
-  return parameters, neighbors, run, own.model
+  return parameters, neighbors, run, own.model, start
 end
 
 --- The derivatives of a search { scene, at, of, scale, measure }, whose arguments have been checked.
 local function gradients(where, search)
-  local parameters, neighbors, run, model = solve(where, search)
+  local parameters, neighbors, run, model, start = solve(where, search)
   local pairs_by_name = {}
   for _, pair in ipairs(neighbors.pairs) do pairs_by_name[pair.name] = pair end
   local results = bars.result_names(run, model)
   for _, name in ipairs(search.of or {}) do check.value(t.choice(results), name, where, "of") end
   local result = setmetatable({
-    run = run, at = lists.merged(search.at), parameters = lists.map(parameters, function(one) return one.name end),
+    run = run, start = start, at = lists.merged(search.at),
+    parameters = lists.map(parameters, function(one) return one.name end),
     names = search.of or results, results = results, pairs = pairs_by_name, residual = neighbors:residual(),
     passes = neighbors.passes, kinks = neighbors.kinks, warnings = warnings_of(neighbors, run),
   }, Gradients)

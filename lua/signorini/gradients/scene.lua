@@ -15,13 +15,15 @@ scene.step = 3e-5
 -- Options of model:run under which models cannot follow a run.
 local alone = { "arc_length", "errors", "tolerance", "checkpoint", "resume", "adapt" }
 
---- Parameters as a list of { name, at, size }, sorted by name; `size`: the parameter's own size, or its scale.
-function scene.parameters(where, at, scale)
+--- Parameters as a list of { name, at, size }, sorted by name, without those with an entry in `constant`; `size`: the
+--- parameter's own size, or its scale.
+function scene.parameters(where, at, scale, constant)
   for name in pairs(scale or {}) do
     if at[name] == nil then core.fail(("%s: scale.%s: there is no parameter of this name"):format(where, name)) end
   end
   if not next(at) then core.fail(where .. ": at is empty. Hint: name at least one parameter, at = { E = 1 }") end
-  return lists.map(lists.sorted_names(at), function(name)
+  local names = lists.filter(lists.sorted_names(at), function(name) return not (constant or {})[name] end)
+  return lists.map(names, function(name)
     local size = (scale or {})[name] or math.abs(at[name])
     if size == 0 then
       core.fail(("%s: at.%s is 0, which has no size of its own. Hint: scale = { %s = 0.1 }, with a typical value")

@@ -6,6 +6,7 @@
 namespace signorini::bind {
 
 void open_core(lua_State* L);       ///< core.*: C++ functions for the library in lua/; sg.mkdir, sg.wall_time
+void open_algebra(lua_State* L);    ///< core.singular_values, core.box_least_squares
 void open_curves(lua_State* L);     ///< sg.nurbs.*
 void open_shapes(lua_State* L);     ///< sg.shapes.*
 void open_patch(lua_State* L);      ///< the patch type and its methods, sg.nurbs.read, sg.nurbs.write

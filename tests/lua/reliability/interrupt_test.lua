@@ -88,6 +88,28 @@ print("still", model:last_length())
   check.holds(output, "Stopped by Ctrl-C", "result\tnil\t0", "still\t0")
 end)
 
+check.case("an interrupted fit or search for an optimum has the best values so far", function()
+  local output = type_in [[
+id = io.open "/proc/self/stat":read "n"
+function scene(q)
+  calls = calls + 1
+  if calls == last then os.execute("(sleep 0.1; kill -INT " .. id .. ") &") end
+  return pressed(), { { steps = calls < last and 2 or 10000000, top = -q.d } }
+end
+search = { scene = scene, start = { d = 0.1 }, data = { { y = "top.fy", points = { { 1, -0.2 }, { 2, -0.4 } } } } }
+calls, last = 0, 4 fit = sg.fit(search)
+print("fit", fit.reason, #fit.tries, fit.at.d, fit.warnings[1])
+calls, last, fit = 0, 1, "nothing" fit = sg.fit(search)
+print("none", fit)
+search = { scene = scene, start = { d = 0.1 }, least = "top.fy", bounds = { d = { 0.1, 0.9 } } }
+calls, last = 0, 7 best = sg.optimize(search)
+print("optimum", best.reason, #best.tries, best.at.d > 0.1)
+print("still", pressed():last_length())
+]]
+  check.holds(output, "fit\tinterrupted\t1\t0.1\tCtrl-C has ended the search", "none\tnothing",
+    "optimum\tinterrupted\t2\ttrue", "still\t0")
+end)
+
 check.case("an interrupted convergence map reports it and remains, with the finished cells", function()
   local output = type_in [[
 id = io.open "/proc/self/stat":read "n"

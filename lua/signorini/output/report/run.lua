@@ -131,14 +131,15 @@ local function states(run, named)
   return drawn and result or html.element("p", ("The states are not drawn: %s"):format(result))
 end
 
-return function(run, options)
+--- `first`: sections above those of the run.
+return function(run, options, first)
   local given, films = page.given_figures(where, options)
   table.insert(given.figures, 1, not options.pictures and states(run, options.field) or nil)
   local names = lists.map(run.stages, function(stage) return stage.name end)
   page.write(where, options, {
     title = ("Run: %s"):format(table.concat(names, ", ")), summary = summary(run),
     subtitle = ("%s in %s"):format(counted(run.steps, "step"), counted(#run.stages, "stage")),
-    sections = {
+    sections = lists.joined(first or {}, {
       { title = "Failure", html = failure(run) },
       { title = "Warnings and controls", html = warnings(run) },
       charts.section(where, run, options.charts),
@@ -149,6 +150,6 @@ return function(run, options)
       { title = "Attempts", html = attempts(run) },
       { title = "Steps", html = run.rows > 0 and steps(run) or html.element("p", "No step converged.") },
       { title = "Where the time went", html = times(run) },
-    },
+    }),
   })
 end

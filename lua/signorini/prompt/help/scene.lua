@@ -85,3 +85,6 @@ function press_to(q)
   return press("N2", 1), { { name = "press", steps = 4, grip = {0, -q.depth} } }
 end
 gradients = sg.gradients{ scene = press_to, at = { depth = 0.1 } }
+fit = sg.fit{ scene = press_to, start = { depth = 0.1 },
+  data = { { y = "grip.fy", points = { {2, -0.01}, {4, -0.02} } } } }
+optimum = sg.optimize{ scene = press_to, start = { depth = 0.1 }, bounds = { depth = {0.09, 0.1} }, least = "grip.fy" }

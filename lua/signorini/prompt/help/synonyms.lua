@@ -88,6 +88,11 @@ in run.failure; sg.robust{} lists the default controls.]], "model:run", "run", "
     "sg.convergence_map" },
   { "mesh convergence, convergence study, error estimate, accuracy", [[Compare discretizations by a study, or let
 sg.recommend choose one.]], "sg.recommend", "sg.work_precision", "sg.study" },
+  { "calibrate, parameter identification, inverse problem, least squares, curve fitting, sensitivity",
+    "sg.fit finds parameters from measured data, with intervals; sg.gradients returns derivatives of all results.",
+    "sg.fit", "sg.gradients", "sg.optimize" },
+  { "optimization, design optimization, shape optimization, minimize",
+    "sg.optimize finds the parameters at which a result is least while others stay within limits.", "sg.optimize" },
   { "riks, arc length, snap through, snap back, limit point, continuation",
     "`arc_length = true` of model:run follows the path where steps fail.", "model:run", "model:solve_arc" },
   { "load step, time step, increment, physical time, amplitude, step size, load curve, load history, tabular amplitude",

@@ -1,0 +1,219 @@
+-- sg.fit: the values of parameters with which a scene describes measured data, by least squares [theory 12.3].
+
+local core = require "signorini.core"
+local data = require "signorini.inverse.data"
+local descent = require "signorini.inverse.descent"
+local intervals = require "signorini.inverse.intervals"
+local lists = require "signorini.call.lists"
+local parameters = require "signorini.inverse.parameters"
+local progress_file = require "signorini.inverse.progress_file"
+local trial = require "signorini.inverse.trial"
+
+local where = "sg.fit"
+
+-- Singular values below this part of the largest are rounding errors of the derivatives.
+local negligible = 1e-4
+-- Moves that promise less than this part of a variance are within the noise of the data.
+local noise = 0.01
+-- Moves of ln q below this end a search: derivatives are not more exact.
+local smallest = 1e-6
+-- Most passes of Gauss and Newton's method for the best move.
+local passes, most_halvings = 50, 8
+-- Weights that change by more than this part after the error bars are known at the values found are used once more.
+local noticed = 0.1
+
+local function dot(a, b)
+  local sum = 0
+  for i, value in ipairs(a) do sum = sum + value * b[i] end
+  return sum
+end
+
+local function minus(a, b) return lists.map(a, function(value, i) return value - b[i] end) end
+
+--- Standard deviations of the points of all sets in one list: of the data, with the error bars of the results.
+local function weights_of(search)
+  local all = {}
+  for k, set in ipairs(search.sets) do
+    for i, sigma in ipairs(set.sigma) do
+      local bar = search.bars and search.bars[k][i] or 0
+      all[#all + 1] = math.sqrt(sigma ^ 2 + bar ^ 2)
+    end
+  end
+  return all
+end
+
+--- Weighs what a point's run says: `residuals`, their derivatives `columns` by variable, and `merit`, the sum of their
+--- squares.
+local function weigh(search, point)
+  local residuals, weights = {}, search.weights
+  local columns = lists.map(search.free, function() return {} end)
+  for k, set in ipairs(search.sets) do
+    local prediction = point.predictions[k]
+    for i, value in ipairs(set.values) do
+      local row = #residuals + 1
+      residuals[row] = (value - prediction.values[i]) / weights[row]
+      for j, one in ipairs(search.free) do
+        columns[j][row] = prediction.slopes[one.name][i] * parameters.rate(one, point.values) / weights[row]
+      end
+    end
+  end
+  point.residuals, point.columns, point.merit = residuals, columns, dot(residuals, residuals)
+end
+
+local function point_of(search, z, found)
+  local point = { z = z, values = found.at, found = found, predictions = lists.map(search.sets, function(set)
+    return data.predict(set, found)
+  end) }
+  weigh(search, point)
+  return point
+end
+
+--- The variance of the weighed residuals: 1 if the data scatter as they should.
+local function variance(search, point) return point.merit / (#point.residuals - #search.free) end
+
+--- The move d within limits of least ‖r − J d‖ [theory (12.5)], in the directions that the data tell something about:
+--- a direction is left out if noise, what no move explains, has the size of what it gains and it is known by no more
+--- than a factor of e. Returns also by how much the square would fall without limits.
+local function least_squares(search, residuals, columns, low, high)
+  local found, rows, right, rest = core.singular_values(columns), {}, {}, dot(residuals, residuals)
+  local gains = lists.map(found.u, function(direction) return dot(direction, residuals) end)
+  local variance_left = (rest - dot(gains, gains)) / (#residuals - #search.free)
+  for k, value in ipairs(found.values) do
+    local is_noise = value ^ 2 < variance_left and gains[k] ^ 2 < 4 * variance_left
+    if value > negligible * found.values[1] and not is_noise then
+      rows[#rows + 1] = lists.map(found.v[k], function(part) return value * part end)
+      right[#right + 1] = gains[k]
+    end
+  end
+  if #rows == 0 then return lists.map(search.free, function() return 0 end), 0 end
+  local reduced = lists.map(search.free, function(_, j) return lists.map(rows, function(row) return row[j] end) end)
+  return core.box_least_squares(reduced, right, low, high), dot(right, right)
+end
+
+--- The residuals at a move d from a point, and their derivatives −J there, by the derivatives at the point and the
+--- residuals at another one, z + b: r − J d + (b · d/b · b)² (r_b − r + J b) [theory (12.6)].
+local function tensor_model(point, other)
+  local b = minus(other.z, point.z)
+  local function linear(d, row)
+    local value = point.residuals[row]
+    for j, column in ipairs(point.columns) do value = value - column[row] * d[j] end
+    return value
+  end
+  local bend = lists.map(other.residuals, function(value, row) return value - linear(b, row) end)
+  local square = dot(b, b)
+  return function(d)
+    local part = dot(b, d) / square
+    return lists.map(bend, function(value, row) return linear(d, row) + part ^ 2 * value end),
+      lists.map(point.columns, function(column, j)
+        return lists.map(column, function(value, row) return value - 2 * part * b[j] / square * bend[row] end)
+      end)
+  end
+end
+
+--- The best move from a point within limits. `other`: a further point of which the residuals are known, or nil.
+local function move(search, point, other, low, high)
+  local little = noise * variance(search, point)
+  local model = other and tensor_model(point, other)
+    or function(d)
+      return lists.map(point.residuals, function(value, row)
+        for j, column in ipairs(point.columns) do value = value - column[row] * d[j] end
+        return value
+      end), point.columns
+    end
+  local d, least, most = lists.map(search.free, function() return 0 end), point.merit, nil
+  local residuals, columns = point.residuals, point.columns
+  for _ = 1, other and passes or 1 do
+    local by, gain = least_squares(search, residuals, columns, minus(low, d), minus(high, d))
+    most = most or gain
+    local before = least
+    for halvings = 0, most_halvings do
+      local to = lists.map(d, function(value, j) return value + 0.5 ^ halvings * by[j] end)
+      local there, slopes = model(to)
+      local size = dot(there, there)
+      if size < least then
+        d, least, residuals, columns = to, size, there, slopes
+        break
+      end
+    end
+    if before - least < little then break end
+  end
+  return d, point.merit - least, most < little
+end
+
+local function descend(search, point, radius, most)
+  local best, other = point, nil
+  return descent({
+    name = where, free = search.free, fixed = search.fixed, most = most, smallest = smallest,
+    merit = function(at) return at.merit end,
+    describe = function(at) return ("scatter %.4g"):format(math.sqrt(variance(search, at))) end,
+    move = function(at, low, high) return move(search, at, other, low, high) end,
+    accepted = function(at, now)
+      best, other = at, best
+      search.file:save(at.values, now)
+    end,
+    evaluate = function(z)
+      local found, why = trial.solve(search, parameters.values(search.free, search.fixed, z))
+      if not found then return nil, why end
+      other = point_of(search, z, found)
+      return other
+    end,
+  }, point, radius)
+end
+
+--- The error bars of the results at values, by set, with the sets in which some are unknown; nil if the run fails.
+local function bars_at(search, values)
+  local run = trial.run(search, values, { errors = true })
+  if not run or not run.errors then return nil end
+  local all = { unknown = {} }
+  for k, set in ipairs(search.sets) do
+    local is_unknown
+    all[k], is_unknown = data.bars(set, run)
+    if is_unknown then all.unknown[#all.unknown + 1] = set end
+  end
+  return all
+end
+
+--- The largest change of a weight, in parts of it.
+local function change(before, after)
+  local most = 0
+  for i, value in ipairs(before) do most = math.max(most, math.abs(after[i] / value - 1)) end
+  return most
+end
+
+--- Searches, and once more with the error bars at the values found where these change the weights.
+local function solve(search, point, radius)
+  local best, reason, tries = descend(search, point, radius, search.runs)
+  if not search.bars or reason == "interrupted" then return best, reason, tries end
+  search.bars = bars_at(search, best.values) or search.bars
+  local before = search.weights
+  search.weights = weights_of(search)
+  weigh(search, best)
+  if change(before, search.weights) > noticed and #tries < search.runs then
+    local more
+    best, reason, more = descend(search, best, nil, search.runs - #tries)
+    tries = lists.joined(tries, { table.unpack(more, 2) })
+  end
+  return best, reason, tries
+end
+
+return function(search)
+  search.caller = where
+  search.free, search.fixed = parameters.read(where, search.start, search.bounds, search.scale)
+  search.sets = data.read(where, search.data)
+  local count = #lists.flat(lists.map(search.sets, function(set) return set.values end))
+  if count <= #search.free then
+    core.fail(("%s: data has %d points for %d parameters: more points than parameters are needed"):format(where, count,
+      #search.free))
+  end
+  if search.errors and not lists.any(search.sets, function(set) return set.has_sigma end) then
+    core.fail(where .. ": errors needs the standard deviation of the data, data[1].sigma, to weigh both")
+  end
+  search.file = progress_file.open(search)
+  local values, radius = search.file:read(search)
+  local found = trial.begin(search, values)
+  data.check(search.sets, found)
+  search.bars = search.errors and bars_at(search, values) or nil
+  search.weights = weights_of(search)
+  local point, reason, tries = solve(search, point_of(search, parameters.variables(search.free, values), found), radius)
+  return require "signorini.inverse.fit_result"(search, point, reason, tries, intervals.of(search, point))
+end

@@ -1,0 +1,93 @@
+-- What sg.optimize returns.
+
+local core = require "signorini.core"
+local counted = require("signorini.call.text").counted
+local format_table = require("signorini.output.table").text
+local html = require "signorini.output.report.html"
+local html_table = require "signorini.output.report.table"
+local lists = require "signorini.call.lists"
+local named = require "signorini.call.named"
+local on_behalf_of = require "signorini.call.on_behalf_of"
+local run_report = require "signorini.output.report.run"
+
+local Optimum = {}
+Optimum.__index = Optimum
+Optimum.__name = "optimum"
+core.types.optimum = Optimum
+named.strict_type(Optimum, "optimum", "")
+
+-- Part of its size by which a limit may be exceeded before that is reported.
+local exceeded = 1e-4
+
+local function about_end(reason)
+  if reason == "interrupted" then return "Ctrl-C has ended the search: these are the best values so far" end
+  if reason == "runs" then return "the search ended at its limit of runs. Hint: runs = <more>" end
+  if reason == "stalled" then
+    return "the search ended where no short move brings what the derivatives promise: the least value lies at a kink, "
+      .. "where points of the contact change their state, or finer meshes and more steps make kinks smaller"
+  end
+end
+
+local function warnings_of(search, point, reason)
+  local texts = { about_end(reason) }
+  for i, limit in ipairs(search.limits) do
+    local excess = math.max(limit.from - point.results[i], point.results[i] - limit.to)
+    if excess > exceeded then
+      texts[#texts + 1] = ("%s = %.6g is not between %g and %g: no values that were tried reach that"):format(
+        limit.name, point.results[i] * limit.size, limit.from * limit.size, limit.to * limit.size)
+    end
+  end
+  return lists.joined(texts, point.found.warnings)
+end
+
+local function rows_of(self)
+  local rows = lists.map(lists.sorted_names(self.at), function(name)
+    return { name, self.at[name], lists.holds(self.at_bounds, name) and "at a bound" or "" }
+  end)
+  rows[#rows + 1] = { self.least, self.value, "least" }
+  for _, limit in ipairs(self.limits) do
+    rows[#rows + 1] = { limit.name, limit.value, ("%g to %g%s"):format(limit.from, limit.to,
+      limit.multiplier ~= 0 and ", active" or "") }
+  end
+  return { "quantity", "value", "" }, rows
+end
+
+local function summary(self) return ("%s, from %.6g at the start"):format(counted(#self.tries, "run"), self.began) end
+
+function Optimum:__tostring()
+  local columns, rows = rows_of(self)
+  local text = format_table { columns = columns, rows = rows } .. "\n" .. summary(self)
+  for _, line in ipairs(self.warnings) do text = text .. "\n" .. line end
+  return text
+end
+
+--- The page of the run, which begins with the table of the optimum.
+function Optimum:report(options)
+  local columns, rows = rows_of(self)
+  local section = { title = "Optimum", html = html_table { title = "optimum", columns = columns, rows = rows }
+    .. html.list(lists.joined({ summary(self) }, self.warnings)) }
+  on_behalf_of("optimum:report", "run:report", run_report, self.run,
+    lists.merged(options, { title = options.title or "Optimum" }), { section })
+end
+
+require("signorini.call.methods").guard("optimum", "report")
+
+return function(search, point, reason, tries)
+  local at_bounds = {}
+  for j, one in ipairs(search.free) do
+    if point.z[j] <= one.low or point.z[j] >= one.high then at_bounds[#at_bounds + 1] = one.name end
+  end
+  local function is_active(i, limit)
+    local near = math.min(point.results[i] - limit.from, limit.to - point.results[i])
+    return near < exceeded and limit.multiplier or 0
+  end
+  return setmetatable({
+    at = point.values, least = type(search.least) == "string" and search.least or "least", value = point.raw,
+    began = search.began, run = point.found.run, gradients = point.found, tries = tries, reason = reason,
+    at_bounds = at_bounds, warnings = warnings_of(search, point, reason),
+    limits = lists.map(search.limits, function(limit, i)
+      return { name = limit.name, value = point.results[i] * limit.size, from = limit.from * limit.size,
+               to = limit.to * limit.size, multiplier = is_active(i, limit) * search.size / limit.size }
+    end),
+  }, Optimum)
+end
