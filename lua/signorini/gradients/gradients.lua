@@ -22,6 +22,8 @@ named.strict_type(Gradients, "gradients", "pairs")
 
 -- Residual of the equations of the derivatives above which a warning says so.
 local coarse = 1e-5
+-- A reach above this tells nothing: slopes hardly hold that far in any case.
+local far = 1
 -- Share of the contact forces at kinks above which a warning says so.
 local noticed = 0.01
 
@@ -59,6 +61,12 @@ local function warnings_of(neighbors, run)
   return texts
 end
 
+local function reach_of(neighbors)
+  local reach = {}
+  for _, pair in ipairs(neighbors.pairs) do reach[pair.name] = pair.reach end
+  return reach
+end
+
 --- Solves the scene with its neighbors. `search.constant`: parameters without derivatives, by name;
 --- `search.from_start`: columns also have a row 0, the state before the run, those of the run in `start`.
 local function solve(where, search)
@@ -91,7 +99,7 @@ local function gradients(where, search)
     run = run, start = start, at = lists.merged(search.at),
     parameters = lists.map(parameters, function(one) return one.name end),
     names = search.of or results, results = results, pairs = pairs_by_name, residual = neighbors:residual(),
-    passes = neighbors.passes, kinks = neighbors.kinks, warnings = warnings_of(neighbors, run),
+    reach = reach_of(neighbors), passes = neighbors.passes, kinks = neighbors.kinks, warnings = warnings_of(neighbors, run),
   }, Gradients)
   return result
 end
@@ -172,6 +180,13 @@ function Gradients:__tostring()
   local text = format_table { columns = columns, rows = rows } .. ("\nchange per 1 %% of %s, at step %d"):format(
     table.concat(lists.map(self.parameters, function(name) return scene.place(name, self.at[name]) end), ", "),
     self.run.steps)
+  local reach = lists.filter(self.parameters, function(name) return self.reach[name] < far end)
+  if #reach > 0 then
+    text = ("%s\npoints with 1 %% of the contact forces open or begin to slip at a change of %s"):format(text,
+      table.concat(lists.map(reach, function(name)
+        return ("%s by %.2g %%"):format(name, 100 * self.reach[name])
+      end), ", "))
+  end
   for _, line in ipairs(self.warnings) do text = text .. "\n" .. line end
   if self.run.reason ~= "completed" then text = ("%s\n%s: %s"):format(text, self.run.reason, self.run.failure) end
   return text

@@ -71,6 +71,7 @@ function Neighbors:follow(step, to, solver)
     end
     self.passes = self.passes + found.passes
     pair.defect, pair.forces = math.max(pair.defect or 0, found.defect), math.max(pair.forces or 0, found.forces)
+    pair.reach = math.min(pair.reach or math.huge, found.reach)
     if found.kinks > 0 then
       self.kinks[#self.kinks + 1] = { step = step.run.steps + 1, parameter = pair.name, points = found.kinks,
                                       share = found.share, contact = found.contact, X = found.place }

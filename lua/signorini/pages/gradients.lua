@@ -41,6 +41,8 @@ options arc_length, errors, tolerance, checkpoint, resume and adapt.]],
       { "passes", t.number, "corrections of all neighbors in all steps" },
       { "residual", t.number, [[of the equations of the derivatives, relative to the forces per parameter, the largest
 of all steps and parameters: about their relative error]] },
+      { "reach", t.map(t.number), [[by parameter, how far slopes hold: the relative change at which, by derivatives of
+pressure and friction, points with 1 % of the contact forces open or begin to slip, the least of all steps]] },
       { "kinks", t.list(t.any), [[{ step, parameter, points, share (of the contact forces), contact, X (of the point
 with the largest force) } of steps in which points change their state between the two models]] },
       { "warnings", t.list(t.text), "sentences about derivatives that are doubtful" } } },

@@ -109,7 +109,7 @@ template <int D> int solve_arc(model::Model<D>& model, const Arguments& a, lua_S
 }
 
 /// core.follow_run(model, { plus, minus, step, size, factored, … of model:solve_step }): see gradients/neighbors.hpp; a
-/// table { passes, renewed, defect, forces, kinks, share, contact, place }, or { failure }.
+/// table { passes, renewed, defect, forces, kinks, share, reach, contact, place }, or { failure }.
 template <int D> int follow_run(model::Model<D>& model, const Arguments& a, lua_State* L) {
   const model::Neighbors<D> neighbors{*a.object<Model<D>>("plus"), *a.object<Model<D>>("minus"), a.get<double>("step"),
                                       a.get<double>("size"),
@@ -120,7 +120,7 @@ template <int D> int follow_run(model::Model<D>& model, const Arguments& a, lua_
     return 1;
   }
   push_fields(L, "passes", report.passes, "renewed", report.renewed, "defect", report.defect, "forces", report.forces,
-              "kinks", report.kinks.points, "share", report.kinks.share);
+              "kinks", report.kinks.points, "share", report.kinks.share, "reach", report.kinks.reach);
   if (report.kinks.contact >= 0) {
     set_field(L, "contact", model.system.scene.contacts[report.kinks.contact].name);
     set_field(L, "place", std::vector<double>(report.kinks.place.begin(), report.kinks.place.end()));

@@ -1,5 +1,5 @@
 #pragma once
-// Numbers of the passes by which neighbors follow a run.
+// Numbers of the passes by which neighbors follow a run, and of kinks.
 
 namespace signorini::model {
 
@@ -20,5 +20,7 @@ inline constexpr int most_slow_passes = 3;
 /// Passes to go, at the rate of the last one, above which new factors cost less.
 inline constexpr double few_passes = 4;
 inline constexpr int most_passes = 12;
+/// Share of the contact forces at points that change their state, up to which a derivative holds.
+inline constexpr double heavy = 0.01;
 
 } // namespace signorini::model

@@ -1,6 +1,7 @@
 #include "model/gradients/neighbors.hpp"
 
 #include "model/gradients/constants.hpp"
+#include "model/gradients/kinks.hpp"
 #include "model/steps/equilibrium.hpp"
 #include "model/steps/load_step.hpp"
 
@@ -96,54 +97,6 @@ private:
   const StepOptions& options_;
   bool tried_ = false, separate_ = false;
 };
-
-template <int D> double force_of(const contact::PointResult<D>& point) {
-  return point.force.norm();
-}
-template <int D> double force_of(const contact::MultiplierResult<D>& multiplier) {
-  return multiplier.area * std::hypot(multiplier.pressure, multiplier.friction.norm());
-}
-
-/// Adds the results of a contact whose states differ.
-template <int D, class Result, class Place>
-void add_kinks(const std::array<const std::vector<Result>*, 3>& results, int contact, const Place& place, double& all,
-               double& largest, Kinks<D>& kinks) {
-  const auto& [run, plus, minus] = results;
-  for (std::size_t i = 0; i < run->size(); ++i) {
-    const double force = std::max({force_of<D>((*run)[i]), force_of<D>((*plus)[i]), force_of<D>((*minus)[i])});
-    all += force;
-    const auto state = (*run)[i].state;
-    if ((*plus)[i].state == state && (*minus)[i].state == state) continue;
-    ++kinks.points;
-    kinks.share += force;
-    if (kinks.contact >= 0 && force <= largest) continue;
-    largest = force;
-    kinks.contact = contact;
-    kinks.place = place(i);
-  }
-}
-
-template <int D> Kinks<D> find_kinks(const Model<D>& run, const Neighbors<D>& neighbors) {
-  Kinks<D> kinks;
-  double all = 0, largest = 0;
-  for (std::size_t k = 0; k < run.system.contacts.size(); ++k) {
-    const contact::History<D>&own = run.present.contacts[k], &plus = neighbors.plus.present.contacts[k],
-          &minus = neighbors.minus.present.contacts[k];
-    const contact::Formulation<D>& contact = *run.system.contacts[k];
-    const int number = static_cast<int>(k);
-    if (own.multipliers.empty())
-      add_kinks<D, contact::PointResult<D>>(
-          {&own.results, &plus.results, &minus.results}, number,
-          [&](std::size_t i) { return contact.points().reference[i]; }, all, largest, kinks);
-    else
-      add_kinks<D, contact::MultiplierResult<D>>(
-          {&own.multiplier_results, &plus.multiplier_results, &minus.multiplier_results}, number,
-          [&](std::size_t a) { return contact.points().reference[contact.multipliers()->points[a]]; }, all, largest,
-          kinks);
-  }
-  kinks.share = all > 0 ? kinks.share / all : 0;
-  return kinks;
-}
 
 /// How many passes are left from a residual to `target` at the rate of the last one.
 double passes_left(double before, double now, double target) {

@@ -2,6 +2,7 @@
 // Neighbors of a run: two models of the same scene at q + ε and q − ε that follow it. Their difference over 2ε is the
 // derivative of its state, and of all that follows from it [theory 12].
 
+#include "model/gradients/kinks.hpp"
 #include "model/steps/model.hpp"
 #include "model/steps/step_options.hpp"
 
@@ -15,14 +16,6 @@ template <int D> struct Neighbors {
   /// A neighbor in another parameter that has made its factors in this step, as `renewed` of its report says, or
   /// nullptr.
   Model<D>* factored = nullptr;
-};
-
-/// Points whose states differ between the neighbors and the run: at a kink of its results.
-template <int D> struct Kinks {
-  int points = 0;
-  double share = 0;              ///< of the forces of all contacts, without sign
-  int contact = -1;              ///< of the point with the largest force
-  Vec<D> place = Vec<D>::Zero(); ///< of it, in the reference configuration
 };
 
 template <int D> struct FollowReport {

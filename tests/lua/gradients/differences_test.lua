@@ -110,6 +110,28 @@ check.case("the run keeps its bits, and cut steps are followed", function()
   check.equal(cut.gradients.run:column "increments"[1], 2)
 end)
 
+check.case("reach: as far as sticking points stick", function()
+  local function held(q)
+    local block = sg.body { patch = sg.shapes.rectangle { width = 1, height = 0.5, corner = { 0, 0 } },
+                            elements = { 2, 2 }, order = "N2", material = sg.linear_elastic { E = 10, nu = 0 } }
+    local model = sg.model {
+      bodies = { block = block }, supports = { lid = { on = block:face "north", drive = "xy" } },
+      contacts = { c = { slave = block:face "south", master = sg.rigid.plane { point = { 0, 0 }, normal = { 0, 1 } },
+                         penalty = 100, per = "reference", friction = { mu = q.mu, penalty = 100 } } } }
+    return model, { { steps = 1, lid = { 0, -0.01 } }, { steps = 1, lid = { 0.001, -0.01 } } }, tight
+  end
+  local mu = 0.3
+  local found = sg.gradients { scene = held, at = { mu = mu } }
+  local reach = found.reach.mu
+  check.equal({ reach > 0.1, reach < 0.9 }, { true, true })
+  check.holds(tostring(found), ("begin to slip at a change of mu by %.2g %%"):format(100 * reach))
+  for part, slips in pairs { [0.99] = false, [1.1] = true } do
+    local model, stages, options = held { mu = mu * (1 - part * reach) }
+    model:run(stages, options)
+    check.equal({ part, model:contact_resultant("c").slipping > 0 }, { part, slips })
+  end
+end)
+
 check.case("a point on a kink is counted", function()
   -- A flat block that touches the plane exactly: closed above, open below.
   local function touching(q)
