@@ -67,13 +67,17 @@ local function reach_of(neighbors)
   return reach
 end
 
---- Solves the scene with its neighbors. `search.constant`: parameters without derivatives, by name;
---- `search.from_start`: columns also have a row 0, the state before the run, those of the run in `start`.
+--- Solves the scene with its neighbors. `search.constant`: parameters without derivatives, by name; `search.is_known`:
+--- the scene has been checked; `search.from_start`: columns also have a row 0, the state before the run, those of the
+--- run in `start`.
 local function solve(where, search)
   local parameters = scene.parameters(where, search.at, search.scale, search.constant)
   local own = scene.make(where, search.scene, search.at)
-  local list = without_warnings(lists.map, parameters, function(parameter)
-    return neighbors_of(where, search.scene, search.at, own, parameter)
+  local list = without_warnings(function()
+    if not search.is_known then scene.check_repeats(where, search.scene, search.at, own) end
+    return lists.map(parameters, function(parameter)
+      return neighbors_of(where, search.scene, search.at, own, parameter)
+    end)
   end)
   local neighbors = Neighbors.new(list, function(pair, text)
     core.fail(("%s: next to %s: %s"):format(where, scene.place(pair.name, pair.at), text))
@@ -99,7 +103,8 @@ local function gradients(where, search)
     run = run, start = start, at = lists.merged(search.at),
     parameters = lists.map(parameters, function(one) return one.name end),
     names = search.of or results, results = results, pairs = pairs_by_name, residual = neighbors:residual(),
-    reach = reach_of(neighbors), passes = neighbors.passes, kinks = neighbors.kinks, warnings = warnings_of(neighbors, run),
+    reach = reach_of(neighbors), passes = neighbors.passes, kinks = neighbors.kinks,
+    warnings = warnings_of(neighbors, run),
   }, Gradients)
   return result
 end

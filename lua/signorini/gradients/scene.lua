@@ -72,6 +72,26 @@ function scene.make(where, make, values, changed)
   return { model = model, list = list, options = options, path = (stages.read(model, list, lists.merged(options))) }
 end
 
+--- True if two tables have equal numbers and texts; functions are not compared.
+local function same(a, b)
+  if type(a) ~= "table" or type(b) ~= "table" then return a == b or type(a) == "function" and type(b) == "function" end
+  for key, value in pairs(a) do
+    if not same(value, b[key]) then return false end
+  end
+  return true
+end
+
+--- Checks that a function makes the scene `made` once more for the same values, so that differences come from these.
+function scene.check_repeats(where, make, values, made)
+  local again = scene.make(where, make, values)
+  local wrong = core.content(again.model) ~= core.content(made.model) and "model"
+    or not same(again.list, made.list) and "path" or nil
+  if wrong then
+    core.fail(("%s: scene returns another %s when it is called again with the same values. Hint: it must depend on its "
+      .. "argument alone, not on random numbers, clocks or variables that it changes"):format(where, wrong))
+  end
+end
+
 --- Checks that a scene has the unknowns, the stages and the steps of another one.
 function scene.compare(where, run, other, name, value)
   local function fail(text) core.fail(("%s: scene at %s: %s"):format(where, scene.place(name, value), text)) end

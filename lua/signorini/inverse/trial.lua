@@ -26,7 +26,7 @@ local function short(text) return (tostring(text):match "^[^\n]*":gsub("^[^%s]+:
 --- The gradients of the scene of a search at values; or nil, and why there are none: "interrupted", or a text.
 function trial.solve(search, values)
   local done, found = quietly(gradients.of, search.caller, { scene = search.scene, at = values, scale = search.scale,
-    measure = search.measure, constant = search.fixed, from_start = true })
+    measure = search.measure, constant = search.fixed, from_start = true, is_known = search.is_known })
   if not done then return nil, is_interruption(found) and "interrupted" or short(found), found end
   local run = found.run
   if run.reason == "interrupted" then return nil, "interrupted" end
@@ -37,6 +37,7 @@ end
 --- The gradients at the start; what fails there is an error.
 function trial.begin(search, values)
   local found, why, message = trial.solve(search, values)
+  search.is_known = true
   if found then return found end
   if why == "interrupted" then core.fail(core.interruption()) end
   if message then error(message, 0) end

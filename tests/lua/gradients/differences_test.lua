@@ -192,6 +192,17 @@ check.case("scenes that depend on more than values, and parameters without size"
   refused("scale.nu: there is no parameter of this name", slide {}, { mu = 0.3 }, { nu = 1 })
   refused("must return a model and its stages, got nothing", function(q) return nil, q.E end)
   refused("scene does not read the parameter 'E'", function() return pressed { E = 1, H = 0.5, eps = 10 } end)
+  local calls = 0
+  refused("scene returns another model when it is called again with the same values", function(q)
+    calls = calls + 1
+    return pressed { E = q.E, H = 0.5 + 1e-9 * calls, eps = 10 }
+  end)
+  refused("scene returns another path", function(q)
+    calls = calls + 1
+    local model, stages = pressed { E = q.E, H = 0.5, eps = 10 }
+    stages[1].lid[1] = -0.01 - 1e-9 * calls
+    return model, stages
+  end)
   local once = table.pack(pressed { E = 1, H = 0.5, eps = 10 })
   refused("it returns the model of another call", function(q) return q.E > 0 and once[1], once[2] end)
   refused("at is empty", slide {}, {})

@@ -177,6 +177,19 @@ check.case("charts, reports, and the check of the intervals' ends", function()
   check.holds(core.read_file(report), "<h2>Parameters</h2>", "95 % intervals from 4 points", "lid.fy")
 end)
 
+check.case("a study of fits", function()
+  local study = sg.study { name = "fits", folder = check.folder() .. "/fits", cases = sg.grid { scale = { 1, 2 } },
+    run = function(case)
+      local points = lists.map(points_of(2, 10), function(point) return { point[1], case.scale * point[2] } end)
+      local found = fit { data = { { x = "lid.uy", y = "lid.fy", stage = "press", points = points } } }
+      return { E = found.at.E, low = found.intervals.E[1], high = found.intervals.E[2] }
+    end }
+  study:execute { jobs = 2 }
+  -- F doubles where 2 · 40/14 = 20 E/(2 E + 10).
+  check.near({ study:row { scale = 1 }.E, study:row { scale = 2 }.E }, { 2, 20 / 3 }, 1e-5)
+  check.equal(study:row { scale = 1 }.low < study:row { scale = 1 }.high, true)
+end)
+
 check.case("interpolation: no overshoot, third order inside, straight beyond the ends", function()
   local x, y = {}, {}
   for i = 0, 8 do x[i + 1], y[i + 1] = i / 8, math.exp(i / 8) end

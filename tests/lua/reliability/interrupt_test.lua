@@ -97,12 +97,12 @@ function scene(q)
   return pressed(), { { steps = calls < last and 2 or 10000000, top = -q.d } }
 end
 search = { scene = scene, start = { d = 0.1 }, data = { { y = "top.fy", points = { { 1, -0.2 }, { 2, -0.4 } } } } }
-calls, last = 0, 4 fit = sg.fit(search)
+calls, last = 0, 5 fit = sg.fit(search)
 print("fit", fit.reason, #fit.tries, fit.at.d, fit.warnings[1])
 calls, last, fit = 0, 1, "nothing" fit = sg.fit(search)
 print("none", fit)
 search = { scene = scene, start = { d = 0.1 }, least = "top.fy", bounds = { d = { 0.1, 0.9 } } }
-calls, last = 0, 7 best = sg.optimize(search)
+calls, last = 0, 8 best = sg.optimize(search)
 print("optimum", best.reason, #best.tries, best.at.d > 0.1)
 print("still", pressed():last_length())
 ]]
