@@ -3,6 +3,7 @@
 
 local core = require "signorini.core"
 local lists = require "signorini.call.lists"
+local on_behalf_of = require "signorini.call.on_behalf_of"
 local recorders = require "signorini.run.recorders"
 local Step = require "signorini.run.step"
 
@@ -51,6 +52,13 @@ end
 function Neighbors:begin_stage(index)
   self.stage = index
   self:each(function(side) Step.begin_stage(side.model, side.path[index]) end)
+end
+
+--- Gives neighbors the layers of the run, a list of core.follow.
+function Neighbors:move_layers(raised)
+  self:each(function(side, pair)
+    if not core.follow(side.model, raised) then self.fail(pair, "its layers cannot follow those of the run") end
+  end)
 end
 
 --- Follows the run, which has converged at the fraction `to` of its step `step` and not accepted that state yet.
@@ -108,6 +116,52 @@ function Neighbors:drop()
     side.record.rows = side.record.rows - 1
   end)
 end
+
+-- ── Checkpoints ──────────────────────────────────────────────────────────────────────────────────────────────────────
+
+--- Calls a file function of the core; its errors become errors of model:run.
+local function call(name, ...) return on_behalf_of("model:run", "core." .. name, core[name], ...) end
+
+--- Names of the files of the neighbors: those of the last save stay until the run's file, which names the set "a" or
+--- "b", is written.
+local function file_of(file, set, pair, side)
+  return ("%s.%s.%s.%s"):format(file, set, pair.name, side == pair.plus and "plus" or "minus")
+end
+
+--- Saves the neighbors next to the file of the run. Returns the name of the set.
+function Neighbors:save(file, durable)
+  self.set = self.set == "a" and "b" or "a"
+  self:each(function(side, pair)
+    local stage = side.path[self.stage or 1]
+    call("save", side.model, file_of(file, self.set, pair, side), core.pack {
+      rows = side.record.rows, values = side.record.values, names = side.record.names, starts = stage.starts or {},
+      fits = stage.fits or {}, pair = { defect = pair.defect, forces = pair.forces, reach = pair.reach },
+      shared = { passes = self.passes, kinks = self.kinks, stage = self.stage } }, durable)
+  end)
+  return self.set
+end
+
+--- Restores the neighbors from the set that the file of the run names.
+function Neighbors:restore_from(file, set)
+  self.set = set
+  self:each(function(side, pair)
+    local name = file_of(file, set, pair, side)
+    local state = core.unpack(call("checkpoint_text", name))
+    call("restore", side.model, name)
+    side.record.rows, side.record.names = state.rows, state.names
+    for column, values in pairs(state.values) do
+      local own = side.record.values[column] or {}
+      side.record.values[column] = own
+      for row, value in pairs(values) do own[row] = value end
+    end
+    for key, value in pairs(state.pair) do pair[key] = value end
+    for key, value in pairs(state.shared) do self[key] = value end
+    local stage = side.path[self.stage or 1]
+    stage.starts, stage.fits = state.starts, state.fits
+  end)
+end
+
+-- ── Steps that are taken back ────────────────────────────────────────────────────────────────────────────────────────
 
 function Neighbors:snapshot()
   local saved = {}

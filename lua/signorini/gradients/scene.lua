@@ -12,8 +12,8 @@ local scene = {}
 -- of the derivative, and its third derivative 1e-9.
 scene.step = 3e-5
 
--- Options of model:run under which models cannot follow a run.
-local alone = { "arc_length", "errors", "tolerance", "checkpoint", "resume", "adapt" }
+-- Options of model:run under which models cannot follow a run; and those of a single run, not of a series of them.
+local alone, single = { "arc_length", "errors", "tolerance" }, { "checkpoint", "resume" }
 
 --- Parameters as a list of { name, at, size }, sorted by name, without those with an entry in `constant`; `size`: the
 --- parameter's own size, or its scale.
@@ -63,10 +63,10 @@ function scene.make(where, make, values, changed)
     core.fail(("%s: scene%s must return a model and its stages, got %s"):format(where, place, core.describe(model)))
   end
   list, options = check.call("model:run", model, list, options)
-  for _, key in ipairs(alone) do
+  for _, key in ipairs(where == "sg.gradients" and alone or lists.joined(alone, single)) do
     if options[key] and (type(options[key]) ~= "table" or next(options[key])) then
-      core.fail(("%s: scene%s returns the option %s, with which models cannot follow a run. Hint: leave it out"):format(
-        where, place, key))
+      core.fail(("%s: scene%s returns the option %s, %s. Hint: leave it out"):format(where, place, key,
+        lists.holds(alone, key) and "with which models cannot follow a run" or "which is that of a single run"))
     end
   end
   return { model = model, list = list, options = options, path = (stages.read(model, list, lists.merged(options))) }

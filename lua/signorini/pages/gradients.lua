@@ -28,7 +28,7 @@ parameter costs less than the run.]],
 Derivatives are those of the path as it was solved, with its steps and cuts. States of points (open, stick, slip) change
 at kinks of the results; where points do so within the distance of the two models, a relative 3e-5, the derivative is
 the mean of those on both sides: `kinks` lists them, and a warning tells if they carry 1 % of the forces. Not with the
-options arc_length, errors, tolerance, checkpoint, resume and adapt.]],
+options arc_length, errors and tolerance.]],
     returns = t.object "gradients",
     example = [[print(sg.gradients{ scene = press_to, at = { depth = 0.1 }, of = { "grip.fy" } })]] },
   { "gradients", "The result of sg.gradients. print shows the last values, and their change per 1 % of each parameter.",

@@ -93,6 +93,7 @@ function Adapt:follow(model, run, raised, lines)
   local moved = on_behalf_of("model:run", "core.follow", core.follow, model, raised)
   core.interrupted_run = nil
   if not moved then return end
+  if run.neighbors then run.neighbors:move_layers(raised) end
   moves[model] = (moves[model] or 0) + 1
   local elements = {}
   for i, line in ipairs(lines) do elements[name_of(line)] = count_true(raised[i]) end

@@ -18,7 +18,7 @@ local format = 1
 --- Fields of a run that are rebuilt or written in another form; all others are saved as they are.
 local apart = { "failed", "reason", "cause", "failure", "recorders", "before", "step", "names", "values", "histories",
                 "extra", "stored_states", "step_column", "increment_column", "iteration_column", "wall_column", "model",
-                "outline", "unexamined", "companions" }
+                "outline", "unexamined", "companions", "neighbors" }
 
 --- Calls a file function of the core; its errors become errors of model:run.
 local function call(name, ...) return on_behalf_of(where, "core." .. name, core[name], ...) end
@@ -88,6 +88,7 @@ function Checkpoint:save(model, run, path, place, policy, ended)
   local now, patience = core.now(), 1 -- seconds
   local durable = self.durable or ended or core.notice_given() or not self.synced or now - self.synced > patience
   if durable then self.synced = now end
+  if run.neighbors then run.neighbor_set = run.neighbors:save(self.file, durable) end
   call("save", model, self.file, self:text(model, run, path, place, policy), durable)
   if core.notice_given() then os.exit(core.to_be_continued) end
 end
@@ -174,6 +175,11 @@ function Checkpoint:resume_from_file(model, run, path, policy)
   local state, rows, histories, companions = self:read(run)
   call("restore", model, self.file)
   for key, value in pairs(state.record) do run[key] = value end
+  if (run.neighbors ~= nil) ~= (run.neighbor_set ~= nil) then
+    core.fail(("%s: '%s' was saved %s. Hint: name another file, or remove this one to start again"):format(where,
+      self.file, run.neighbors and "by model:run, without derivatives" or "by sg.gradients"))
+  end
+  if run.neighbors then run.neighbors:restore_from(self.file, run.neighbor_set) end
   for i, row in ipairs(rows) do
     for j, name in ipairs(run.names) do run.values[name][i] = row[j] or nil end
   end

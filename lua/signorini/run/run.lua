@@ -105,10 +105,11 @@ local function follow(model, list, given, before)
   local policy, checkpoints = options.policy, options.checkpoints
   local early = run_warnings.of_path(model, path, options.solver)
   local run = Run.new(model, path)
+  run.neighbors = given.neighbors
   local place = checkpoints:begin(model, run, path, policy)
   run.used = { predictor = options.predictor, fallback = options.fallback, adaptive = options.step.adaptive,
                arc_length = options.arc_length, tolerance = options.solver.tolerance }
-  run.companions, run.neighbors = run.companions or given.companions, given.neighbors
+  run.companions = run.companions or given.companions
   if options.errors and not run.companions then
     run.companions = require "signorini.errors.companions".of_run(model, list, given, before)
   end

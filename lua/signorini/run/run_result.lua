@@ -26,7 +26,8 @@ core.types.run = Run
 
 -- Fields that some runs have, or only until they end. All other unknown names are misspelled.
 local private = named.strict_type(Run, "run",
-  "cause failure timings recorders before step model outline singular companions neighbors errors settings")
+  "cause failure timings recorders before step model outline singular companions neighbors neighbor_set errors "
+  .. "settings")
 
 function Run:__newindex(name, value)
   if not (rawget(self, "recorders") or private[name]) then -- the run has ended

@@ -110,6 +110,30 @@ check.case("the run keeps its bits, and cut steps are followed", function()
   check.equal(cut.gradients.run:column "increments"[1], 2)
 end)
 
+check.case("a run that stops goes on from its files, bit for bit", function()
+  local function saved(file, last)
+    return function(q)
+      local model, stages, options = slide {}(lists.merged(ironed, { E = q.E, mu = q.mu }))
+      options = lists.merged(options, { checkpoint = { file = file, every = 1 }, resume = true,
+                                        on_step = function(info) return info.step == last and "stop" or nil end })
+      return model, stages, options
+    end
+  end
+  local at = { E = 1, mu = 0.3 }
+  local file = check.file "slide.sgn"
+  local whole = sg.gradients { scene = saved(check.file "whole.sgn", 0), at = at }
+  local begun = sg.gradients { scene = saved(file, 4), at = at }
+  check.equal({ begun.run.reason, begun.run.steps }, { "stopped", 4 })
+  local done = sg.gradients { scene = saved(file, 0), at = at }
+  for name in pairs(at) do
+    check.equal(done:column("lid.fx", name), whole:column("lid.fx", name))
+    check.equal(done:column("c.area", name), whole:column("c.area", name))
+  end
+  check.equal({ done.passes, done.residual, done.reach.mu }, { whole.passes, whole.residual, whole.reach.mu })
+  local model, stages, options = saved(file, 0)(at)
+  check.fails(function() model:run(stages, options) end, "was saved by sg.gradients")
+end)
+
 check.case("reach: as far as sticking points stick", function()
   local function held(q)
     local block = sg.body { patch = sg.shapes.rectangle { width = 1, height = 0.5, corner = { 0, 0 } },

@@ -72,6 +72,24 @@ check.case("points = \"auto\"", function()
   end), { E = 1, mu = 0.3 }, { "lid.fx", "lid.fy" }, 1e-5)
 end)
 
+check.case("layers that follow the contact", function()
+  local function followed(q)
+    local slab = sg.body { patch = sg.shapes.rectangle { width = 4, height = 1 }, elements = { 24, 3 },
+                           order = "N2-N2.2", contact = "north", material = sg.neo_hookean { E = q.E, nu = 0.3 },
+                           layer = function(X) return math.abs(X[1] - 1.5) < 0.4 end }
+    local tool = sg.rigid.cylinder { center = { 1.5, 1 + q.R }, radius = q.R }
+    local model = sg.model { bodies = { slab = slab },
+      supports = { bed = { on = slab:face "south", fix = "xy" }, tool = { on = tool, drive = "xy" } },
+      contacts = { c = { slave = slab:face "north", master = tool, penalty = 40,
+                         friction = { mu = q.mu, penalty = 40 } } } }
+    return model,
+      { { name = "press", steps = 2, tool = { 0, -0.05 } }, { name = "slide", steps = 6, tool = { 0.9, -0.05 } } },
+      { newton = { tolerance = 1e-12 }, adapt = { margin = 1 } }
+  end
+  local found = compare("adapt", followed, { E = 1, mu = 0.3, R = 0.8 }, { "tool.fx", "tool.fy" }, 1e-5)
+  check.equal(#found.run.adaptations > 0, true)
+end)
+
 -- ── Closed forms ─────────────────────────────────────────────────────────────────────────────────────────────────────
 
 check.case("a sphere on a half space: Hertz", function()
