@@ -63,7 +63,7 @@ end
 
 --- Follows the run, which has converged at the fraction `to` of its step `step` and not accepted that state yet.
 function Neighbors:follow(step, to, solver)
-  local factored
+  local factored, begun
   for _, pair in ipairs(self.pairs) do
     for _, side in ipairs { pair.plus, pair.minus } do
       local own = step:of_neighbor(side.model, side.path[self.stage], side.options)
@@ -72,8 +72,9 @@ function Neighbors:follow(step, to, solver)
     end
     local found = core.follow_run(step.model, lists.merged(solver, { plus = pair.plus.model, minus = pair.minus.model,
                                                                  step = pair.step, size = pair.size,
-                                                                 factored = factored }))
+                                                                 factored = factored, begun = begun }))
     if found.renewed then factored = pair.plus.model end
+    if found.begun then begun = pair.minus.model end
     if found.failure then
       self.fail(pair, ("step %d is not reached: %s"):format(step.run.steps + 1, found.failure))
     end

@@ -108,19 +108,21 @@ template <int D> int solve_arc(model::Model<D>& model, const Arguments& a, lua_S
   return 1;
 }
 
-/// core.follow_run(model, { plus, minus, step, size, factored, … of model:solve_step }): see gradients/neighbors.hpp; a
-/// table { passes, renewed, defect, forces, kinks, share, reach, contact, place }, or { failure }.
+/// core.follow_run(model, { plus, minus, step, size, factored, begun, … of model:solve_step }): see
+/// gradients/neighbors.hpp; a table { passes, renewed, begun, defect, forces, kinks, share, reach, contact, place }, or
+/// { failure }.
 template <int D> int follow_run(model::Model<D>& model, const Arguments& a, lua_State* L) {
+  const auto optional = [&](const char* key) { return a.has(key) ? &*a.object<Model<D>>(key) : nullptr; };
   const model::Neighbors<D> neighbors{*a.object<Model<D>>("plus"), *a.object<Model<D>>("minus"), a.get<double>("step"),
-                                      a.get<double>("size"),
-                                      a.has("factored") ? &*a.object<Model<D>>("factored") : nullptr};
+                                      a.get<double>("size"),       optional("factored"),         optional("begun")};
   const model::FollowReport<D> report = model::follow_run(model, neighbors, read_step_options(a));
   if (!report.failure.code.empty()) {
     push_fields(L, "failure", worded(report.failure));
     return 1;
   }
-  push_fields(L, "passes", report.passes, "renewed", report.renewed, "defect", report.defect, "forces", report.forces,
-              "kinks", report.kinks.points, "share", report.kinks.share, "reach", report.kinks.reach);
+  push_fields(L, "passes", report.passes, "renewed", report.renewed, "begun", report.begun, "defect", report.defect,
+              "forces", report.forces, "kinks", report.kinks.points, "share", report.kinks.share, "reach",
+              report.kinks.reach);
   if (report.kinks.contact >= 0) {
     set_field(L, "contact", model.system.scene.contacts[report.kinks.contact].name);
     set_field(L, "place", std::vector<double>(report.kinks.place.begin(), report.kinks.place.end()));

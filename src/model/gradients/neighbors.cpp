@@ -66,6 +66,7 @@ public:
   }
   /// Whether the factors in use are those of the neighbor above.
   bool is_renewed() const { return factored_ == &neighbors_.plus; }
+  bool is_separate() const { return separate_; }
   /// False without factors.
   bool correct(const Defect& defect, bool kinked, Rates& rates) {
     if (separate_) {
@@ -133,11 +134,15 @@ template <int D> FollowReport<D> follow_run(Model<D>& run, const Neighbors<D>& n
   FollowReport<D> report;
   const bool rubs = begins_to_rub(run);
   std::array<VectorX, 2> bases;
-  for (std::size_t k = 0; k < 2; ++k) {
-    if (begin_following(*both[k], options, rubs, report.failure) != solve::Outcome::converged) {
+  // The lower neighbor comes first: the upper one may need its solver for other factors later in the step.
+  for (const std::size_t k : {1, 0}) {
+    Model<D>* like = k == 0 && report.begun ? &neighbors.minus : neighbors.begun;
+    const auto [outcome, factors] = begin_following(*both[k], options, rubs, like, report.failure);
+    if (outcome != solve::Outcome::converged) {
       if (report.failure.code.empty()) report.failure = Message("model.gradients.singular");
       return report;
     }
+    report.begun |= k == 1 && factors;
     bases[k] = base(run, *both[k]);
   }
   const auto at = [&](const Rates& rates) {
@@ -175,6 +180,7 @@ template <int D> FollowReport<D> follow_run(Model<D>& run, const Neighbors<D>& n
   report.defect = least * neighbors.size;
   report.forces = std::max(most * neighbors.size, rounding_floor(run) / exact_derivative);
   report.renewed = corrector.is_renewed();
+  report.begun = report.begun && !corrector.is_separate();
   report.kinks = find_kinks(run, neighbors);
   for (Model<D>* model : both) take_present(*model);
   return report;

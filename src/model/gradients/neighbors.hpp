@@ -16,13 +16,16 @@ template <int D> struct Neighbors {
   /// A neighbor in another parameter that has made its factors in this step, as `renewed` of its report says, or
   /// nullptr.
   Model<D>* factored = nullptr;
+  /// Likewise one whose factors are those of the first solution of this step, as `begun` says, or nullptr.
+  Model<D>* begun = nullptr;
 };
 
 template <int D> struct FollowReport {
   int passes = 0;
   bool renewed = false; ///< the factors of the run gained too little, so that `plus` has those of its own state
-  double defect = 0;    ///< residual of the equation of the derivative, times the size of the parameter
-  double forces = 0;    ///< what to compare it with: its first value, or the forces of supports and loads if larger
+  bool begun = false; ///< `minus` has the factors of its first solution, which the step takes if it is not extrapolated
+  double defect = 0;  ///< residual of the equation of the derivative, times the size of the parameter
+  double forces = 0;  ///< what to compare it with: its first value, or the forces of supports and loads if larger
   Kinks<D> kinks;
   Message failure = {}; ///< why the neighbors could not follow; its code is empty if they did
 };

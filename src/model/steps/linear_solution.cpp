@@ -3,12 +3,17 @@
 #include "base/error.hpp"
 #include "os/interrupt.hpp"
 #include "solve/condensed.hpp"
+#include "solve/values.hpp"
 
 #include <algorithm>
 
 namespace signorini::model {
 
 namespace {
+
+/// Relative residual at which a refined solution counts as that of its own factors, and that of each correction.
+constexpr double refined_residual = 1e-12, refinement_tolerance = 1e-6;
+constexpr int most_refinements = 5;
 
 /// Sums of the statistics of two successive solvers; size and cost are those of the later one.
 solve::SolverStatistics sum(const solve::SolverStatistics& before, const solve::SolverStatistics& now) {
@@ -84,6 +89,22 @@ bool LinearSolution::factor(const Tangent& tangent, const LinearRequest& request
 bool LinearSolution::solve(VectorX& b, bool fully) {
   if (b.size() == 0) return true;
   return solver_->solve(b.data(), fully);
+}
+
+bool LinearSolution::solve_near(const Tangent& tangent, VectorX& b) {
+  VectorX x = VectorX::Zero(b.size()), correction = b;
+  std::vector<double> rest;
+  for (int pass = 0; pass < most_refinements; ++pass) {
+    if (!is_ready() || !solve_aside(correction, refinement_tolerance)) return false;
+    x += correction;
+    if (solve::relative_residual(tangent.pattern, tangent.values.data(), x.data(), b.data(), rest) <=
+        refined_residual) {
+      b = x;
+      return true;
+    }
+    correction = Eigen::Map<const VectorX>(rest.data(), b.size());
+  }
+  return false;
 }
 
 bool LinearSolution::proves_definite(const Tangent& tangent) const {

@@ -52,6 +52,9 @@ public:
   bool is_ready() const { return solver_ != nullptr; }
   /// Overwrites b by K⁻¹ b to a relative residual, without an effect on later solutions; requires is_ready().
   bool solve_aside(VectorX& b, double tolerance) { return b.size() == 0 || solver_->solve_aside(b.data(), tolerance); }
+  /// Overwrites b by K⁻¹ b for a tangent that differs little from that of the factors, by iterative refinement,
+  /// likewise without an effect on later solutions; false, with b unchanged, if it does not converge.
+  bool solve_near(const Tangent& tangent, VectorX& b);
   /// True if the present factors show that the symmetric part of a tangent is positive definite.
   bool proves_definite(const Tangent& tangent) const;
   /// Drops the solver, but keeps its statistics and its choice.

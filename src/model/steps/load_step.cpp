@@ -67,12 +67,15 @@ public:
   solve::Outcome evaluate(bool tangent, Message& why) override;
   solve::Outcome conclude(Message& why) override;
   std::optional<double> advance() override;
+  /// advance() by the factors of a model with nearly the same tangent; false if these do not suffice.
+  bool advance_like(Model<D>& other);
   solve::Trial retreat(double part, bool tangent) override;
 
 private:
   using StepProblem<D>::model, StepProblem<D>::options;
   bool has_closed();
   bool is_decisive() const;
+  void apply(const VectorX& move);
 
   Step& step_;
   const bool waiting_;    ///< for the first solution, which applies the prescribed displacements
@@ -163,11 +166,22 @@ template <int D> std::optional<double> LoadStep<D>::advance() {
   step_.definite = !damped && model.linear.statistics().definite &&
                    move.norm() <= small_correction * unknowns.gather(displacement).norm();
   if (options.newton.line_search != solve::LineSearchKind::none) move_ = unknowns.spread(move);
-  displacement += unknowns.spread(move) + step_.increment;
+  apply(move);
+  return model.unbalanced.dot(move);
+}
+
+template <int D> bool LoadStep<D>::advance_like(Model<D>& other) {
+  VectorX move = -model.unbalanced;
+  if (!other.linear.solve_near(tangent_of(model.system.assembly), move)) return false;
+  apply(move);
+  return true;
+}
+
+template <int D> void LoadStep<D>::apply(const VectorX& move) {
+  model.present.displacement += model.system.unknowns.spread(move) + step_.increment;
   step_.increment.setZero();
   step_.moved_by_user = false;
   model.present.targets = model.targets;
-  return model.unbalanced.dot(move);
 }
 
 template <int D> solve::Trial LoadStep<D>::retreat(double part, bool tangent) {
@@ -215,15 +229,21 @@ solve::NewtonReport solve_step(Model<D>& model, const StepOptions& options, cons
   return model.step->report;
 }
 
-template <int D> solve::Outcome begin_following(Model<D>& model, const StepOptions& options, bool rubs, Message& why) {
+template <int D>
+std::pair<solve::Outcome, bool> begin_following(Model<D>& model, const StepOptions& options, bool rubs, Model<D>* like,
+                                                Message& why) {
   model.step = begin_step(model, options);
   Step& step = *model.step;
   solve::Outcome outcome = solve::Outcome::converged;
+  bool factors = false;
   if (rubs) {
     LoadStep<D> problem(model, options);
     if (step.pending) {
       outcome = problem.evaluate(true, why);
-      if (outcome == solve::Outcome::converged && !problem.advance()) outcome = solve::Outcome::singular_tangent;
+      if (outcome == solve::Outcome::converged && !(like && problem.advance_like(*like))) {
+        factors = problem.advance().has_value();
+        if (!factors) outcome = solve::Outcome::singular_tangent;
+      }
       ++step.report.iterations;
     }
     if (outcome == solve::Outcome::converged)
@@ -233,7 +253,7 @@ template <int D> solve::Outcome begin_following(Model<D>& model, const StepOptio
   step.closing.reset();
   step.guess_evaluated = true;
   model.active_set.release_all();
-  return outcome;
+  return {outcome, factors};
 }
 
 template <int D> void move_by(Model<D>& model, const VectorX& change) {
@@ -254,7 +274,7 @@ template <int D> void move_by(Model<D>& model, const VectorX& change) {
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \
   template solve::NewtonReport solve_step(Model<D>&, const StepOptions&, const AfterIteration&);                       \
   template const solve::NewtonReport& iterate(Model<D>&, const StepOptions&, const AfterIteration&);                   \
-  template solve::Outcome begin_following(Model<D>&, const StepOptions&, bool, Message&);                              \
+  template std::pair<solve::Outcome, bool> begin_following(Model<D>&, const StepOptions&, bool, Model<D>*, Message&);  \
   template void move_by(Model<D>&, const VectorX&);
 SIGNORINI_INSTANTIATE(2)
 SIGNORINI_INSTANTIATE(3)

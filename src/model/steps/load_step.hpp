@@ -15,8 +15,12 @@ template <int D>
 const solve::NewtonReport& iterate(Model<D>& model, const StepOptions& options, const AfterIteration& after = {});
 
 /// Begins a step of a model that follows another one, without solving it. `rubs`: evaluates the guess of the step,
-/// whose touches are where friction begins; by `tangent` this takes a solution.
-template <int D> solve::Outcome begin_following(Model<D>& model, const StepOptions& options, bool rubs, Message& why);
+/// whose touches are where friction begins; a step that is not extrapolated takes a solution for this, by the factors
+/// of `like`, a model whose tangent was nearly the same, if given. Returns the outcome, and whether the model made
+/// factors.
+template <int D>
+std::pair<solve::Outcome, bool> begin_following(Model<D>& model, const StepOptions& options, bool rubs, Model<D>* like,
+                                                Message& why);
 
 /// Adds a given change to the unknowns; the first move of a step also sets the prescribed displacements to their
 /// targets. solve_step() and iterate() continue from there, and accept() checks equilibrium. Throws Error unless there
