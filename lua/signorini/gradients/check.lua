@@ -1,11 +1,11 @@
 -- sg.check_gradients: derivatives next to differences of whole runs.
 
-local core = require "signorini.core"
 local format_table = require("signorini.output.table").text
 local gradients = require "signorini.gradients.gradients"
 local lists = require "signorini.call.lists"
 local run_path = require "signorini.run.run"
 local scene = require "signorini.gradients.scene"
+local sizes = require "signorini.gradients.sizes"
 local without_warnings = require "signorini.call.without_warnings"
 
 local where = "sg.check_gradients"
@@ -22,23 +22,6 @@ local function solve(search, values, changed)
       lists.merged(made.options, { measure = search.measure or made.options.measure, verbose = false }))
   end)
   return not run.failed and run.values or nil
-end
-
--- Error of the results of runs, relative to the largest of their kind, times 1000: differences of runs at a distance do
--- not tell derivatives below this over the distance.
-local uncertain = 1e-9
-
---- "f" of forces, "max_pressure" …
-local function kind_of(name) return (name:match "[^.]*$":gsub("^f[xyz]$", "f")) end
-
---- The largest values of a run, by kinds of results; those of forces are at least rounding errors.
-local function largest_of(run, names, model)
-  local most = { f = core.rounding(model) / uncertain }
-  for _, name in ipairs(names) do
-    local kind = kind_of(name)
-    for _, value in ipairs(run:column(name)) do most[kind] = math.max(most[kind] or 0, math.abs(value)) end
-  end
-  return most
 end
 
 --- The largest difference of slopes and secants over the steps, relative to the largest slope; nan if that is at most
@@ -73,7 +56,7 @@ end
 
 return function(search)
   local found = gradients.of(where, search)
-  local rows, largest = {}, largest_of(found.run, found.results, found.run.model)
+  local rows, largest = {}, sizes.largest(found.run, found.results, found.run.model)
   for _, parameter in ipairs(scene.parameters(where, search.at, search.scale)) do
     for _, by in ipairs(search.by) do
       local distance, ends = by * parameter.size, {}
@@ -84,7 +67,7 @@ return function(search)
       for _, name in ipairs(found.names) do
         rows[#rows + 1] = { name = name, parameter = parameter.name, by = by,
           difference = ends[1] and ends[2] and difference(found:column(name, parameter.name), ends[1][name],
-            ends[2][name], distance, uncertain * largest[kind_of(name)] / distance) or -(0 / 0) }
+            ends[2][name], distance, sizes.uncertain * largest[sizes.kind_of(name)] / distance) or -(0 / 0) }
       end
     end
   end

@@ -29,17 +29,30 @@ local noticed = 0.01
 
 -- ── Run ──────────────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- The two neighbors of a scene in a parameter.
-local function neighbors_of(where, make, values, run, parameter)
-  local step = scene.step * parameter.size
-  local pair = { name = parameter.name, at = parameter.at, size = parameter.size, step = step }
+--- The scenes a step above and below `center`; or false, and the error of one that cannot be made.
+local function scenes_around(center, step, where, make, values, name)
+  local sides = {}
   for key, sign in pairs { plus = 1, minus = -1 } do
-    local value = parameter.at + sign * step
-    local side = scene.make(where, make, lists.merged(values, { [parameter.name] = value }), parameter.name)
-    scene.compare(where, run, side, parameter.name, value)
-    pair[key] = side
+    local value = center + sign * step
+    local done, side = pcall(scene.make, where, make, lists.merged(values, { [name] = value }), name)
+    if not done then return false, side end
+    sides[key], side.value = side, value
   end
-  return pair
+  return sides
+end
+
+--- The two neighbors on both sides of a value; on one side where the scene does not exist on the other, as with
+--- friction that is 0.
+local function neighbors_of(where, make, values, run, parameter)
+  local step, sides, first = scene.step * parameter.size, nil, nil
+  for _, center in ipairs { parameter.at, parameter.at + step, parameter.at - step } do
+    local why
+    if not sides then sides, why = scenes_around(center, step, where, make, values, parameter.name) end
+    first = first or why
+  end
+  if not sides then error(first, 0) end
+  for _, side in pairs(sides) do scene.compare(where, run, side, parameter.name, side.value) end
+  return lists.merged(sides, { name = parameter.name, at = parameter.at, size = parameter.size, step = step })
 end
 
 local function warnings_of(neighbors, run)
@@ -172,7 +185,9 @@ end
 --- The values at the end of the run, and their change per 1 % of each parameter, or of its scale.
 function Gradients:__tostring()
   local row = self.run.rows
-  if row == 0 then return "gradients of a run without steps" end
+  if row == 0 then
+    return ("gradients of a run without steps%s"):format(self.run.failure and ": " .. self.run.failure or "")
+  end
   local columns, rows = lists.joined({ "quantity", "value" }, self.parameters), {}
   for _, name in ipairs(self.names) do
     local cells = { name, self.run.values[name][row] }

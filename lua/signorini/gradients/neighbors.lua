@@ -1,6 +1,7 @@
 -- The neighbors of a run: for each parameter two models of its scene, with a value a little above and below, which
 -- follow the run increment by increment. Differences of their results are derivatives of those of the run.
 
+local check = require "signorini.call.check"
 local core = require "signorini.core"
 local lists = require "signorini.call.lists"
 local on_behalf_of = require "signorini.call.on_behalf_of"
@@ -20,7 +21,11 @@ end
 --- Records the present state as a row; `measure`: of model:run.
 local function record_state(record, row, model, measure)
   for _, append in ipairs(record.recorders) do append(row) end
-  for name, value in pairs(measure and measure(model) or {}) do
+  local results = measure and measure(model) or {}
+  if type(results) ~= "table" then
+    check.reject("measure", "its result", "a table of numbers by name", results)
+  end
+  for name, value in pairs(results) do
     record.values[name] = record.values[name] or recorders.add_column(record, name)
     record.values[name][row] = value
   end

@@ -12,6 +12,9 @@ local scene = {}
 -- of the derivative, and its third derivative 1e-9.
 scene.step = 3e-5
 
+-- Least scale of a parameter, relative to its value, at which 4 digits of a derivative remain.
+local least_scale = 1e-4
+
 -- Options of model:run under which models cannot follow a run; and those of a single run, not of a series of them.
 local alone, single = { "arc_length", "errors", "tolerance" }, { "checkpoint", "resume" }
 
@@ -25,6 +28,10 @@ function scene.parameters(where, at, scale, constant)
   local names = lists.filter(lists.sorted_names(at), function(name) return not (constant or {})[name] end)
   return lists.map(names, function(name)
     local size = (scale or {})[name] or math.abs(at[name])
+    if size < least_scale * math.abs(at[name]) then
+      core.fail(("%s: scale.%s = %g is too small next to the value %g: rounding errors of its results would count. "
+        .. "Hint: measure it from a nearby origin"):format(where, name, size, at[name]))
+    end
     if size == 0 then
       core.fail(("%s: at.%s is 0, which has no size of its own. Hint: scale = { %s = 0.1 }, with a typical value")
         :format(where, name, name))
@@ -56,11 +63,12 @@ function scene.make(where, make, values, changed)
   local place = changed and (" at " .. scene.place(changed, values[changed])) or ""
   local reads = {}
   local model, list, options = make(argument(values, reads))
+  if core.kind(model) ~= "model" or type(list) ~= "table" then
+    core.fail(("%s: scene%s must return a model and its stages, got %s and %s"):format(where, place,
+      core.describe(model), core.describe(list)))
+  end
   for _, name in ipairs(lists.sorted_names(values)) do
     if not reads[name] then core.fail(("%s: scene%s does not read the parameter '%s'"):format(where, place, name)) end
-  end
-  if core.kind(model) ~= "model" then
-    core.fail(("%s: scene%s must return a model and its stages, got %s"):format(where, place, core.describe(model)))
   end
   list, options = check.call("model:run", model, list, options)
   for _, key in ipairs(where == "sg.gradients" and alone or lists.joined(alone, single)) do

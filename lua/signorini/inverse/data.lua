@@ -24,11 +24,20 @@ end
 
 --- The columns of x and y of a file: those that the user names, those with the names of the results, or the only two.
 local function columns_of(file, set, what)
-  if set.columns then return table.unpack(set.columns) end
-  if lists.holds(file.columns, set.x) and lists.holds(file.columns, set.y) then return set.x, set.y end
-  if #file.columns == 2 then return file.columns[1], file.columns[2] end
-  core.fail(("%s: file '%s' has the columns %s. Hint: columns = { <that of x>, <that of y> }"):format(what, set.file,
-    table.concat(file.columns, ", ")))
+  local names = file.columns
+  if set.columns then
+    for i, name in ipairs(set.columns) do check.value(t.choice(names), name, what, ("columns[%d]"):format(i)) end
+    return table.unpack(set.columns)
+  end
+  if not lists.any(names, function(name) return not tonumber(name) end) then
+    core.fail(("%s: file '%s' begins with numbers. Hint: its first line must have the names of the columns"):format(
+      what, set.file))
+  end
+  if lists.holds(names, set.x) and lists.holds(names, set.y) then return set.x, set.y end
+  if #names == 2 then return names[1], names[2] end
+  core.fail(("%s: file '%s' has the columns %s. Hint: %s"):format(what, set.file, table.concat(names, ", "),
+    #names == 1 and names[1]:find "[;\t]" and "columns are separated by commas"
+      or "columns = { <that of x>, <that of y> }"))
 end
 
 --- x, y and the file of a set.
@@ -36,6 +45,9 @@ local function read_points(set, what)
   if (set.points ~= nil) == (set.file ~= nil) then
     core.fail(("%s: %s. Hint: points = { {x, y}, … }, or file = \"….csv\""):format(what,
       set.points and "both points and file are given" or "neither points nor file is given"))
+  end
+  if set.points and set.columns then
+    core.fail(what .. ": columns are those of a file, but points are given")
   end
   if set.points then
     return lists.map(set.points, function(point) return point[1] end),
@@ -51,7 +63,7 @@ local function read_sigma(set, count, file, what)
   local sigma = set.sigma
   if type(sigma) == "string" then
     if not file then core.fail(("%s.sigma: '%s' names a column, but there is no file"):format(what, sigma)) end
-    sigma = column_of(file, sigma, what)
+    sigma = column_of(file, check.value(t.choice(file.columns), sigma, what, "sigma"), what)
   elseif type(sigma) ~= "table" then
     sigma = { sigma or 1 }
     for i = 2, count do sigma[i] = sigma[1] end
@@ -128,20 +140,39 @@ local function check_order(set, curve)
   end
 end
 
---- Checks sets against the run at the start: their columns, their stages, and that it reaches the points.
+--- The points of a set that a curve does not reach.
+local function beyond(set, curve)
+  local low, high = math.min(curve.x[1], curve.x[#curve.x]), math.max(curve.x[1], curve.x[#curve.x])
+  local slack, list = 1e-9 * (high - low), {}
+  for i, at in ipairs(set.at) do
+    if at < low - slack or at > high + slack then list[#list + 1] = i end
+  end
+  return list
+end
+
+--- True if the abscissa of a set changes with a parameter, as where a force is prescribed and a motion is measured.
+local function is_free(set, found)
+  for _, pair in pairs(found.pairs) do
+    local plus, minus = pair.plus.record.values[set.x], pair.minus.record.values[set.x]
+    for row, value in ipairs(plus or {}) do
+      if value ~= minus[row] then return true end
+    end
+  end
+  return false
+end
+
+--- Checks sets against the run at the start: their columns, their stages, and that it reaches the points, unless others
+--- may do so.
 function data.check(sets, found)
   for _, set in ipairs(sets) do
     check.value(t.choice(found.run.names), set.x, set.what, "x")
     check.value(t.choice(found.results), set.y, set.what, "y")
     local curve = curve_of(set, found.run, found.run.values, found.start)
     check_order(set, curve)
-    local low, high = math.min(curve.x[1], curve.x[#curve.x]), math.max(curve.x[1], curve.x[#curve.x])
-    local slack = 1e-9 * (high - low)
-    for i, at in ipairs(set.at) do
-      if at < low - slack or at > high + slack then
-        core.fail(("%s: point %d lies at %s = %.6g, but the run goes from %.6g to %.6g. Hint: drive it as far, or "
-          .. "leave the point out"):format(set.what, i, set.x, at, curve.x[1], curve.x[#curve.x]))
-      end
+    local i = beyond(set, curve)[1]
+    if i and not is_free(set, found) then
+      core.fail(("%s: point %d lies at %s = %.6g, but the run goes from %.6g to %.6g. Hint: drive it as far, or leave "
+        .. "the point out"):format(set.what, i, set.x, set.at[i], curve.x[1], curve.x[#curve.x]))
     end
   end
 end
@@ -153,7 +184,7 @@ function data.values(set, found, at)
 end
 
 --- What a run says at the points of a set: `values`, their derivatives `slopes` by parameter, and `straight`, by how
---- much linear interpolation between the steps differs.
+--- much linear interpolation between the steps differs, and how many points are `outside` of the run.
 function data.predict(set, found)
   local function at_points(values, start)
     local curve = curve_of(set, found.run, values, start)
@@ -162,6 +193,7 @@ function data.predict(set, found)
   local prediction = { slopes = {} }
   local curve
   prediction.values, curve = at_points(found.run.values, found.start)
+  prediction.outside = #beyond(set, curve)
   local straight = interpolation.linear(curve.x, curve.y, set.at)
   prediction.straight = lists.map(straight, function(value, i) return math.abs(value - prediction.values[i]) end)
   for name, pair in pairs(found.pairs) do

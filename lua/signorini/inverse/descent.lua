@@ -40,23 +40,26 @@ end
 ---     little to go on afterwards;
 ---   accepted(point, radius): called for each point that becomes the best one.
 --- `radius`: of the first trust region. Returns the best point, why the search has ended ("converged", "stalled",
---- "runs", "interrupted"), and all tries as { values, merit, outcome }.
+--- "runs", "interrupted"), and all tries as { values, merit, outcome, taken, failed
+--- (why, if the run failed) }.
 return function(problem, point, radius)
   local display, free = progress(problem.most), problem.free
   radius = radius or first_radius
   local tries = {}
-  local function note(values, merit, outcome)
-    tries[#tries + 1] = { values = values, merit = merit, outcome = outcome }
+  local function note(values, merit, outcome, taken, failed)
+    tries[#tries + 1] = { values = values, merit = merit, outcome = outcome, taken = taken, failed = failed }
     display:step(problem.name)
     display:line(("%s: run %d: %s: %s"):format(problem.name, #tries, parameters.text(free, values), outcome))
   end
-  note(point.values, problem.merit(point), problem.describe(point))
+  note(point.values, problem.merit(point), problem.describe(point), true)
   while true do
     local low, high = box(free, point.z, radius)
     local d, promise, is_last = problem.move(point, low, high)
     local length = norm(d)
     if length < problem.smallest or promise <= 0 then return point, "converged", tries end
-    if radius < smallest_radius then return point, is_last and "converged" or "stalled", tries end
+    if radius < smallest_radius then
+      return point, is_last and not tries[#tries].failed and "converged" or "stalled", tries
+    end
     if #tries >= problem.most then return point, "runs", tries end
     local z = plus(point.z, d)
     local new, why = problem.evaluate(z)
@@ -64,7 +67,8 @@ return function(problem, point, radius)
     local gain = new and (problem.merit(point) - problem.merit(new)) / promise or -1
     local taken = gain > enough
     note(new and new.values or parameters.values(free, problem.fixed, z), new and problem.merit(new),
-      new and problem.describe(new) .. (taken and "" or ", not taken") or "not taken: " .. why)
+      new and problem.describe(new) .. (taken and "" or ", not taken") or "not taken: " .. why,
+      taken, why)
     if taken then
       point = new
       problem.accepted(point, radius)

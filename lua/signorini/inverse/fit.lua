@@ -1,12 +1,14 @@
 -- sg.fit: the values of parameters with which a scene describes measured data, by least squares [theory 12.3].
 
 local core = require "signorini.core"
+local counted = require("signorini.call.text").counted
 local data = require "signorini.inverse.data"
 local descent = require "signorini.inverse.descent"
 local intervals = require "signorini.inverse.intervals"
 local lists = require "signorini.call.lists"
 local parameters = require "signorini.inverse.parameters"
 local progress_file = require "signorini.inverse.progress_file"
+local sizes = require "signorini.gradients.sizes"
 local trial = require "signorini.inverse.trial"
 
 local where = "sg.fit"
@@ -68,8 +70,10 @@ local function point_of(search, z, found)
   return point
 end
 
---- The variance of the weighed residuals: 1 if the data scatter as they should.
-local function variance(search, point) return point.merit / (#point.residuals - #search.free) end
+--- The variance of the weighed residuals: 1 if the data scatter as they should, and not below rounding errors.
+local function variance(search, point)
+  return math.max(point.merit / (#point.residuals - #search.free), search.rounding)
+end
 
 --- The move d within limits of least ‖r − J d‖ [theory (12.5)], in the directions that the data tell something about:
 --- a direction is left out if noise, what no move explains, has the size of what it gains and it is known by no more
@@ -77,7 +81,7 @@ local function variance(search, point) return point.merit / (#point.residuals - 
 local function least_squares(search, residuals, columns, low, high)
   local found, rows, right, rest = core.singular_values(columns), {}, {}, dot(residuals, residuals)
   local gains = lists.map(found.u, function(direction) return dot(direction, residuals) end)
-  local variance_left = (rest - dot(gains, gains)) / (#residuals - #search.free)
+  local variance_left = math.max((rest - dot(gains, gains)) / (#residuals - #search.free), search.rounding)
   for k, value in ipairs(found.values) do
     local is_noise = value ^ 2 < variance_left and gains[k] ^ 2 < 4 * variance_left
     if value > negligible * found.values[1] and not is_noise then
@@ -160,6 +164,19 @@ local function descend(search, point, radius, most)
   }, point, radius)
 end
 
+--- Sets the weights of the points, and the mean square of the rounding errors of the results next to them.
+local function set_weights(search, found)
+  search.weights = weights_of(search)
+  local largest, sum, row = sizes.largest(found.run, found.results, found.run.model), 0, 0
+  for _, set in ipairs(search.sets) do
+    for _ in ipairs(set.at) do
+      row = row + 1
+      sum = sum + (sizes.uncertain * largest[sizes.kind_of(set.y)] / search.weights[row]) ^ 2
+    end
+  end
+  search.rounding = sum / row
+end
+
 --- The error bars of the results at values, by set, with the sets in which some are unknown; nil if the run fails.
 local function bars_at(search, values)
   local run = trial.run(search, values, { errors = true })
@@ -186,7 +203,7 @@ local function solve(search, point, radius)
   if not search.bars or reason == "interrupted" then return best, reason, tries end
   search.bars = bars_at(search, best.values) or search.bars
   local before = search.weights
-  search.weights = weights_of(search)
+  set_weights(search, best.found)
   weigh(search, best)
   if change(before, search.weights) > noticed and #tries < search.runs then
     local more
@@ -202,8 +219,8 @@ return function(search)
   search.sets = data.read(where, search.data)
   local count = #lists.flat(lists.map(search.sets, function(set) return set.values end))
   if count <= #search.free then
-    core.fail(("%s: data has %d points for %d parameters: more points than parameters are needed"):format(where, count,
-      #search.free))
+    core.fail(("%s: data has %s for %s: more points than parameters are needed"):format(where,
+      counted(count, "point"), counted(#search.free, "parameter")))
   end
   if search.errors and not lists.any(search.sets, function(set) return set.has_sigma end) then
     core.fail(where .. ": errors needs the standard deviation of the data, data[1].sigma, to weigh both")
@@ -213,7 +230,7 @@ return function(search)
   local found = trial.begin(search, values)
   data.check(search.sets, found)
   search.bars = search.errors and bars_at(search, values) or nil
-  search.weights = weights_of(search)
+  set_weights(search, found)
   local point, reason, tries = solve(search, point_of(search, parameters.variables(search.free, values), found), radius)
   return require "signorini.inverse.fit_result"(search, point, reason, tries, intervals.of(search, point))
 end

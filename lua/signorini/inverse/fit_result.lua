@@ -3,6 +3,7 @@
 local core = require "signorini.core"
 local counted = require("signorini.call.text").counted
 local data = require "signorini.inverse.data"
+local ends = require "signorini.inverse.ends"
 local format_table = require("signorini.output.table").text
 local html = require "signorini.output.report.html"
 local html_table = require "signorini.output.report.table"
@@ -34,21 +35,13 @@ local function quoted(names)
   return table.concat(lists.map(names, function(name) return ("'%s'"):format(name) end), " and ")
 end
 
-local function about_end(reason)
-  if reason == "interrupted" then return "Ctrl-C has ended the search: these are the best values so far" end
-  if reason == "runs" then return "the search ended at its limit of runs. Hint: runs = <more>" end
-  if reason == "stalled" then
-    return "the search ended where no short move brings what the derivatives promise: points of the contact change "
-      .. "their state there. Hint: finer meshes or more steps make kinks smaller"
-  end
-end
-
 local function about_parameters(found)
   local texts, vague = {}, found.undetermined
   if #vague > 0 then
-    texts[1] = ("%s %s not determined by these data; the other intervals hold within a factor of e of %s. Hint: fix "
-      .. "%s, bounds = { %s = {v, v} }, or add data that depend on it"):format(quoted(vague),
-      #vague == 1 and "is" or "are", #vague == 1 and "it" or "them", #vague == 1 and "it" or "one", vague[1])
+    local others = #found.names > 0 and ("; the other intervals hold within a factor of e of %s"):format(
+      #vague == 1 and "it" or "them") or ""
+    texts[1] = ("%s %s not determined by these data%s. Hint: fix %s, bounds = { %s = {v, v} }, or add data that depend "
+      .. "on it"):format(quoted(vague), #vague == 1 and "is" or "are", others, #vague == 1 and "it" or "one", vague[1])
   end
   if #found.at_bounds > 0 then
     texts[#texts + 1] = ("%s %s at a bound, without an interval"):format(quoted(found.at_bounds),
@@ -81,6 +74,11 @@ local function about_data(search, point, found)
     for _, straight in ipairs(point.predictions[k].straight) do
       row = row + 1
       if straight > found.scatter * search.weights[row] then coarse = coarse + 1 end
+    end
+    local outside = point.predictions[k].outside
+    if outside > 0 then
+      texts[#texts + 1] = ("%s: %s lie beyond the end of the run at the values found, which is continued straight "
+        .. "there. Hint: drive it farther, or leave them out"):format(set.what, counted(outside, "point"))
     end
     if coarse > 0 then
       texts[#texts + 1] = ("%s: between the steps of the run %s bends by more than the data scatter, at %s. Hint: more "
@@ -149,9 +147,10 @@ end
 -- ── Result ───────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 local function make(search, point, reason, tries, found)
-  local warnings = lists.joined({ about_end(reason) }, about_parameters(found), about_data(search, point, found),
-    about_bars(search),
-    search.check and reason ~= "interrupted" and about_ends(search, point, found) or {}, point.found.warnings)
+  local warnings = lists.joined({ ends.text(search, reason, tries) }, about_parameters(found),
+    about_data(search, point, found), about_bars(search),
+    search.check and reason ~= "interrupted" and about_ends(search, point, found) or {}, point.found.warnings,
+    point.found.run.warnings)
   return setmetatable({
     at = point.values, intervals = found.intervals, correlation = found.correlation, of_solution = found.of_solution,
     undetermined = found.undetermined, scatter = found.scatter, points = #point.residuals, run = point.found.run,

@@ -60,7 +60,7 @@ end
 local function least_known(half, without)
   local widest
   for a, value in ipairs(half) do
-    local tells = value <= unknown or lists.holds(without, a)
+    local tells = value < 0.999 * unknown or lists.holds(without, a) -- less than what is assumed of the others
     if not tells and not (widest and half[widest] > value) then widest = a end
   end
   return widest
@@ -77,7 +77,7 @@ function intervals.of(search, point)
     local is_inside = point.z[j] > one.low and point.z[j] < one.high
     table.insert(is_inside and inner or result.at_bounds, is_inside and j or one.name)
   end
-  result.scatter = math.sqrt(point.merit / (#point.residuals - #inner))
+  result.scatter = math.sqrt(math.max(point.merit / (#point.residuals - #inner), search.rounding))
   if #inner == 0 then return result end
   local found, widest
   repeat

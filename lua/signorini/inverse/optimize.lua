@@ -113,11 +113,13 @@ local function learn(search, before, after)
   end)
 end
 
---- The limits { name, size, from, to (in sizes), multiplier, price } of an argument `where`, sorted by name.
+--- The limits { name, size, from, to (in sizes), multiplier, price } of an argument `where`, sorted by name, without
+--- those that limit nothing.
 local function read_limits(given)
-  return lists.map(lists.sorted_names(given), function(name)
+  local limits = {}
+  for _, name in ipairs(lists.sorted_names(given)) do
     local from, to = table.unpack(given[name])
-    if from > to then
+    if not (from <= to) then
       core.fail(("%s: where[\"%s\"] must be {from, to}, got {%g, %g}"):format(where, name, from, to))
     end
     local size = 0
@@ -125,8 +127,11 @@ local function read_limits(given)
       if math.abs(bound) < math.huge then size = math.max(size, math.abs(bound)) end
     end
     if size == 0 then size = 1 end
-    return { name = name, size = size, from = from / size, to = to / size, multiplier = 0, price = 0 }
-  end)
+    if from > -math.huge or to < math.huge then
+      limits[#limits + 1] = { name = name, size = size, from = from / size, to = to / size, multiplier = 0, price = 0 }
+    end
+  end
+  return limits
 end
 
 local function descend(search, point, radius)
@@ -156,12 +161,15 @@ return function(search)
   local values, radius = search.file:read(search)
   local found = trial.begin(search, values)
   if type(search.least) == "string" then goal.check(where, "least", search.least, found) end
-  for _, limit in ipairs(search.limits) do goal.check(where, "where", limit.name, found) end
+  for name in pairs(search.where or {}) do goal.check(where, ("where[\"%s\"]"):format(name), name, found) end
   search.curvature = lists.map(search.free, function(_, i)
     return lists.map(search.free, function(_, j) return i == j and 1 or 0 end)
   end)
   local first = point_of(search, parameters.variables(search.free, values), found)
   search.began = first.raw
   local point, reason, tries = descend(search, first, radius)
+  -- The multipliers there, as far as the bounds allow a move.
+  move(search, point, lists.map(search.free, function(one, j) return one.low - point.z[j] end),
+    lists.map(search.free, function(one, j) return one.high - point.z[j] end))
   return require "signorini.inverse.optimum"(search, point, reason, tries)
 end

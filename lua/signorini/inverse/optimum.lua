@@ -2,6 +2,7 @@
 
 local core = require "signorini.core"
 local counted = require("signorini.call.text").counted
+local ends = require "signorini.inverse.ends"
 local format_table = require("signorini.output.table").text
 local html = require "signorini.output.report.html"
 local html_table = require "signorini.output.report.table"
@@ -19,17 +20,8 @@ named.strict_type(Optimum, "optimum", "")
 -- Part of its size by which a limit may be exceeded before that is reported.
 local exceeded = 1e-4
 
-local function about_end(reason)
-  if reason == "interrupted" then return "Ctrl-C has ended the search: these are the best values so far" end
-  if reason == "runs" then return "the search ended at its limit of runs. Hint: runs = <more>" end
-  if reason == "stalled" then
-    return "the search ended where no short move brings what the derivatives promise: the least value lies at a kink, "
-      .. "where points of the contact change their state, or finer meshes and more steps make kinks smaller"
-  end
-end
-
-local function warnings_of(search, point, reason)
-  local texts = { about_end(reason) }
+local function warnings_of(search, point, reason, tries)
+  local texts = { ends.text(search, reason, tries) }
   for i, limit in ipairs(search.limits) do
     local excess = math.max(limit.from - point.results[i], point.results[i] - limit.to)
     if excess > exceeded then
@@ -37,7 +29,7 @@ local function warnings_of(search, point, reason)
         limit.name, point.results[i] * limit.size, limit.from * limit.size, limit.to * limit.size)
     end
   end
-  return lists.joined(texts, point.found.warnings)
+  return lists.joined(texts, point.found.warnings, point.found.run.warnings)
 end
 
 local function rows_of(self)
@@ -47,7 +39,7 @@ local function rows_of(self)
   rows[#rows + 1] = { self.least, self.value, "least" }
   for _, limit in ipairs(self.limits) do
     rows[#rows + 1] = { limit.name, limit.value, ("%g to %g%s"):format(limit.from, limit.to,
-      limit.multiplier ~= 0 and ", active" or "") }
+      not limit.multiplier and ", exceeded" or limit.multiplier ~= 0 and ", active" or "") }
   end
   return { "quantity", "value", "" }, rows
 end
@@ -77,17 +69,19 @@ return function(search, point, reason, tries)
   for j, one in ipairs(search.free) do
     if point.z[j] <= one.low or point.z[j] >= one.high then at_bounds[#at_bounds + 1] = one.name end
   end
-  local function is_active(i, limit)
+  --- The multiplier of a limit that is reached, 0 of one that is not, nil of one that is exceeded.
+  local function multiplier_of(i, limit)
     local near = math.min(point.results[i] - limit.from, limit.to - point.results[i])
-    return near < exceeded and limit.multiplier or 0
+    if near < -exceeded then return nil end
+    return near < exceeded and limit.multiplier * search.size / limit.size or 0
   end
   return setmetatable({
     at = point.values, least = type(search.least) == "string" and search.least or "least", value = point.raw,
     began = search.began, run = point.found.run, gradients = point.found, tries = tries, reason = reason,
-    at_bounds = at_bounds, warnings = warnings_of(search, point, reason),
+    at_bounds = at_bounds, warnings = warnings_of(search, point, reason, tries),
     limits = lists.map(search.limits, function(limit, i)
       return { name = limit.name, value = point.results[i] * limit.size, from = limit.from * limit.size,
-               to = limit.to * limit.size, multiplier = is_active(i, limit) * search.size / limit.size }
+               to = limit.to * limit.size, multiplier = multiplier_of(i, limit) }
     end),
   }, Optimum)
 end

@@ -6,10 +6,13 @@ local lists = require "signorini.call.lists"
 
 local parameters = {}
 
+-- Part of the start below which a lower bound is as good as 0, which factors do not reach.
+local near_zero = 1e-3
+
 --- The bounds of a parameter, which are infinite where the user gives none.
 local function bounds_of(where, name, start, given)
   local low, high = table.unpack(given or { -math.huge, math.huge })
-  if low > high then
+  if not (low <= high) then
     core.fail(("%s: bounds.%s must be {low, high}, got {%g, %g}"):format(where, name, low, high))
   end
   if start < low or start > high then
@@ -35,8 +38,8 @@ function parameters.read(where, start, bounds, scale)
     if low == high then
       fixed[name] = value
     else
-      -- Without bounds, a parameter that starts above 0 stays there.
-      local is_log = value > 0 and (not given or low > 0)
+      -- Without bounds, a parameter that starts above 0 stays there. A bound far below the start means 0.
+      local is_log = value > 0 and (not given or low > near_zero * value)
       local range = high - low
       local size = (scale or {})[name] or not is_log and range < math.huge and range / 2 or math.abs(value)
       if size == 0 then
@@ -74,6 +77,13 @@ function parameters.values(free, fixed, z)
   local values = lists.merged(fixed)
   for j, one in ipairs(free) do values[one.name] = parameters.value(one, z[j]) end
   return values
+end
+
+--- The sizes of those that may be 0, by name.
+function parameters.scale(free)
+  local scale = {}
+  for _, one in ipairs(free) do scale[one.name] = not one.is_log and one.size or nil end
+  return scale
 end
 
 --- dq/dz of a parameter at values.

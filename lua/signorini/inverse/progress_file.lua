@@ -22,7 +22,11 @@ function File:read(search)
   if not (search.resume and core.exists(self.name)) then return values end
   local what = ("%s: checkpoint '%s'"):format(self.caller, self.name)
   local held = on_behalf_of(what, ("sg.json.read: '%s'"):format(self.name), json.read, self.name)
-  if type(held) ~= "table" or rawget(held, "search") ~= self.caller or type(held.values) ~= "table" then
+  local is_whole = type(held) == "table" and rawget(held, "search") == self.caller and type(held.values) == "table"
+    and type(held.radius) == "number" and held.radius > 0
+  if not is_whole or lists.any(lists.sorted_names(held.values), function(name)
+    return type(held.values[name]) ~= "number"
+  end) then
     core.fail(("%s is not that of such a search"):format(what))
   end
   local names, own = lists.sorted_names(held.values), lists.sorted_names(values)

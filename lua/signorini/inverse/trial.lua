@@ -3,6 +3,7 @@
 
 local core = require "signorini.core"
 local gradients = require "signorini.gradients.gradients"
+local parameters = require "signorini.inverse.parameters"
 local run_path = require "signorini.run.run"
 local scene = require "signorini.gradients.scene"
 local without_warnings = require "signorini.call.without_warnings"
@@ -25,8 +26,9 @@ local function short(text) return (tostring(text):match "^[^\n]*":gsub("^[^%s]+:
 
 --- The gradients of the scene of a search at values; or nil, and why there are none: "interrupted", or a text.
 function trial.solve(search, values)
-  local done, found = quietly(gradients.of, search.caller, { scene = search.scene, at = values, scale = search.scale,
-    measure = search.measure, constant = search.fixed, from_start = true, is_known = search.is_known })
+  local done, found = quietly(gradients.of, search.caller, { scene = search.scene, at = values,
+    scale = parameters.scale(search.free), measure = search.measure, constant = search.fixed, from_start = true,
+    is_known = search.is_known })
   if not done then return nil, is_interruption(found) and "interrupted" or short(found), found end
   local run = found.run
   if run.reason == "interrupted" then return nil, "interrupted" end

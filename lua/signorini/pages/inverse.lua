@@ -35,7 +35,8 @@ local data = t.named {
 
 local reason = { "reason", t.text, [["converged", "stalled" (where derivatives do not describe the results: at kinks),
 "runs" or "interrupted"]] }
-local tries = { "tries", t.list(t.any), "{ values, merit, outcome } of all runs with derivatives" }
+local tries = { "tries", t.list(t.any), [[{ values, merit, outcome, taken, failed } of all runs with derivatives;
+failed: why, if it did]] }
 local gradients = { "gradients", t.object "gradients", "derivatives there" }
 local run = { "run", t.object "run", "the run at these values" }
 local warnings = { "warnings", t.list(t.text), "sentences about what is doubtful" }
@@ -59,7 +60,8 @@ weighed by both, and intervals contain the error of the solution]], default = fa
 A parameter that begins above 0 and has no bounds, or bounds above 0, moves by factors and stays above 0; others move by
 parts of half of their range, or of their scale. The intervals are those of the linear model at the values found, with
 the scatter of the data around the run and Student's distribution, so that sigma matters for the weights alone. Several
-sets need their sigma. Ctrl-C returns the best values so far.]],
+sets need their sigma. scene may read the parameters in start alone: constants that are known are fixed by equal bounds.
+Ctrl-C at the prompt returns the best values so far; a script ends, and goes on from its checkpoint.]],
     returns = t.object "fit", example = [[
 fit = sg.fit{ scene = press_to, start = { depth = 0.1 },
   data = { { y = "grip.fy", points = { {2, -0.01}, {4, -0.02} } } } }
@@ -73,7 +75,8 @@ print(fit)]] },
 that comes from error bars]] },
       { "undetermined", t.list(t.text), [[parameters that the data do not tell within a factor of e, or within their
 scale; the other intervals hold while these change by no more than that]] },
-      { "scatter", t.number, "root mean square of the differences of data and run, over sigma" },
+      { "scatter", t.number, [[standard deviation of the differences of data and run, over sigma: the square root of
+their sum of squares per datum in excess of the parameters]] },
       { "points", t.number, "number of data" }, run, gradients, tries, reason, warnings } },
   { "fit:data", "Returns a set of data with the values of the run, as a table for sg.csv.write.",
     arguments = { { "set", t.count, "number of the set", default = 1 } }, returns = t.table(),
@@ -107,7 +110,7 @@ function, such as the largest force of the path. Parameters move as those of sg.
       { "value", t.number, "its value" },
       { "began", t.number, "its value at the start" },
       { "limits", t.list(t.any), [[{ name, value, from, to, multiplier } of the argument where; multiplier: by how much
-the least value falls per unit by which the limit gives way, 0 where it is not reached]] },
+the least value falls per unit by which the limit gives way, 0 where it is not reached, nil where it is exceeded]] },
       { "at_bounds", t.list(t.text), "parameters at their bounds" }, run, gradients, tries, reason, warnings } },
   { "optimum:report", "Writes a report: that of the run, with the table of the optimum above it.",
     head = 'optimum:report "x.html" or { file, … }', arguments = report_rows.run "Optimum",

@@ -6,6 +6,9 @@
 #include "bind/lua/functions.hpp"
 #include "bind/lua/open.hpp"
 
+#include <cmath>
+#include <limits>
+
 namespace signorini::bind {
 
 namespace {
@@ -19,11 +22,17 @@ int singular_values(lua_State* L) {
   return 1;
 }
 
+/// Numbers that are not finite in Lua, which are nan here, are no limits.
+VectorX limits(const VectorX& values, double none) {
+  return values.unaryExpr([none](double value) { return std::isnan(value) ? none : value; });
+}
+
 /// core.box_least_squares(a, b, low, high), see base/box_least_squares.hpp.
 VectorX box(const MatrixX& a, const VectorX& b, const VectorX& low, const VectorX& high) {
   require(a.size() > 0 && b.size() == a.rows() && low.size() == a.cols() && high.size() == a.cols(),
           "core.box_least_squares: sizes of the arguments do not fit");
-  return box_least_squares(a, b, low, high);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  return box_least_squares(a, b, limits(low, -infinity), limits(high, infinity));
 }
 
 } // namespace

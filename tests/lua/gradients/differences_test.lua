@@ -110,6 +110,21 @@ check.case("the run keeps its bits, and cut steps are followed", function()
   check.equal(cut.gradients.run:column "increments"[1], 2)
 end)
 
+check.case("a value at the end of its range has the derivative of its side", function()
+  local scene = slide {}
+  local function with(q) return scene(lists.merged(ironed, { mu = q.mu })) end
+  local found = sg.gradients { scene = with, at = { mu = 0 }, scale = { mu = 0.1 } }
+  local drag = {}
+  for k = 0, 2 do
+    local model, stages, options = with { mu = 2e-4 * k }
+    drag[k] = model:run(stages, options):column "lid.fx"
+  end
+  -- One-sided differences of second order; forces are about 0.07.
+  for i, slope in ipairs(found:column("lid.fx", "mu")) do
+    check.within("step " .. i, slope, (4 * drag[1][i] - 3 * drag[0][i] - drag[2][i]) / 4e-4, 1e-5)
+  end
+end)
+
 check.case("a run that stops goes on from its files, bit for bit", function()
   local function saved(file, last)
     return function(q)
@@ -214,6 +229,7 @@ check.case("scenes that depend on more than values, and parameters without size"
   end)
   refused("at.mu is 0, which has no size of its own. Hint: scale = { mu = 0.1 }", slide {}, { mu = 0 })
   refused("scale.nu: there is no parameter of this name", slide {}, { mu = 0.3 }, { nu = 1 })
+  refused("scale.E = 1e-08 is too small next to the value 1", slide {}, { E = 1 }, { E = 1e-8 })
   refused("must return a model and its stages, got nothing", function(q) return nil, q.E end)
   refused("scene does not read the parameter 'E'", function() return pressed { E = 1, H = 0.5, eps = 10 } end)
   local calls = 0

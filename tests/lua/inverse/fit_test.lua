@@ -82,6 +82,60 @@ check.case("a parameter at its bound has no interval", function()
   check.holds(table.concat(found.warnings), "'E' is at a bound")
 end)
 
+check.case("a bound of 0 is reached, also where nothing exists beyond it; so is one next to 0", function()
+  --- Two springs in parallel, E and E2 ≥ 0.
+  local function parallel(q)
+    if q.E2 < 0 then error("E2 must not be negative", 0) end
+    return pressed { E = q.E + q.E2, eps = 10 }
+  end
+  for _, low in ipairs { 0, 1e-6 } do
+    local found = sg.fit { scene = parallel, start = { E = 2, E2 = 1 }, bounds = { E = { 2, 2 }, E2 = { low, 5 } },
+                           data = { { x = "lid.uy", y = "lid.fy", stage = "press", points = points_of(2, 10) } } }
+    check.near({ found.at.E2 + 1, found.reason }, { low + 1, "converged" }, 1e-9)
+  end
+  local begun = sg.fit { scene = parallel, start = { E = 2, E2 = 0 }, bounds = { E = { 2, 2 }, E2 = { 0, 5 } },
+                         data = { { x = "lid.uy", y = "lid.fy", stage = "press", points = points_of(3, 10) } } }
+  check.near(begun.at.E2, 1, 1e-6)
+end)
+
+check.case("only the product of two parameters matters; a curve of zeros tells nothing", function()
+  local found = sg.fit { scene = function(q) return pressed { E = q.a * q.b, eps = 10 } end, start = { a = 1, b = 1.5 },
+                         data = { { x = "lid.uy", y = "lid.fy", stage = "press", points = points_of(2, 10) } } }
+  check.equal({ found.undetermined, found.intervals }, { { "a", "b" }, {} })
+  check.near(found.at.a * found.at.b, 2, 1e-6)
+  local zeros = fit { data = { { x = "step", y = "lid.fx", stage = "press",
+                                 points = { { 1, 0 }, { 2, 0 }, { 3, 0 } } } } }
+  check.equal({ zeros.undetermined, zeros.at.E }, { { "E" }, 5.0 })
+end)
+
+check.case("data that the run does not reach at the start, or no longer", function()
+  --- Pressed by a force, so that the motion follows from E.
+  local function loaded(q)
+    local block = sg.body { patch = sg.shapes.rectangle { width = 1, height = 0.5 }, elements = { 2, 4 }, order = "N2",
+                            material = sg.linear_elastic { E = q.E, nu = 0 } }
+    local plane = sg.rigid.plane { point = { 0, 0.5 }, normal = { 0, -1 } }
+    local model = sg.model { bodies = { block = block },
+      supports = { bed = { on = block:face "south", fix = "xy" }, tool = { on = plane, free = "y" } },
+      loads = { weight = { on = plane, force = { 0, 0 } } },
+      contacts = { c = { slave = block:face "north", master = plane, penalty = 10, per = "reference" } } }
+    return model, { { steps = 4, weight = { 0, -0.04 } } }, tight
+  end
+  local function points(E, force_at_end)
+    return lists.map({ 0.25, 0.5, 0.75, 1 }, function(part)
+      local F = part * force_at_end
+      return { -F / (20 * E / (2 * E + 10)), -F }
+    end)
+  end
+  local function fitted(start, data)
+    return sg.fit { scene = loaded, start = { E = start }, check = false,
+                    data = { { x = "tool.uy", y = "c.fy", points = data } } }
+  end
+  local reached = fitted(3, points(2, 0.03)) -- the run at the start ends before the last points
+  check.near(reached.at.E, 2, 1e-5)
+  local beyond = fitted(1, points(2, 0.08))
+  check.holds(table.concat(beyond.warnings, "; "), "lie beyond the end of the run")
+end)
+
 check.case("parameters that may be negative move in parts of their scale", function()
   -- A gap between block and plane: F = −c (d − gap).
   local function with_gap(q)
@@ -146,7 +200,7 @@ check.case("values at which the scene fails are a reason to go less far", functi
   check.equal(bounded.at.E >= 1.9, true)
   check.holds(table.concat(lists.map(bounded.tries, function(one) return one.outcome end), "; ") .. outcomes,
     "not taken: too soft")
-  check.holds(table.concat(bounded.warnings, "; "), "no short move brings")
+  check.holds(table.concat(bounded.warnings, "; "), "runs beyond fail: at E = 1.", "too soft")
 end)
 
 check.case("a search that ends at its limit of runs goes on from its file", function()
@@ -208,6 +262,9 @@ check.case("wrong input", function()
   refused("bounds.E must be {low, high}, got {3, 1}", { bounds = { E = { 3, 1 } } })
   refused("bounds.mu: start has no parameter of this name", { bounds = { mu = { 0, 1 } } })
   refused("all parameters are fixed by their bounds", { bounds = { E = { 5, 5 }, eps = { 10, 10 } } })
+  refused("bounds.E must be {low, high}", { bounds = { E = { 0 / 0, 10 } } })
+  refused("its result must be a table of numbers by name", { measure = function() return 3 end })
+  refused("columns are those of a file", data { columns = { "a", "b" } })
   refused("start.E is 0, which has no size of its own", { start = { E = 0, eps = 10 } })
   refused("data has 4 points for 5 parameters", { start = { E = 5, eps = 10, a = 1, b = 1, c = 1, d = 1 } })
   refused("data[1]: y must be", data { y = "lid.fz" })
@@ -227,6 +284,15 @@ check.case("wrong input", function()
   local file = check.file "three.csv"
   sg.csv.write(file, { columns = { "a", "b", "c" }, rows = { { 1, 2, 3 } } })
   refused("has the columns a, b, c. Hint: columns", { data = { { y = "lid.fy", file = file } } })
+  local headless = check.file "headless.csv"
+  core.write_file(headless, "1,0\n2,0\n3,1\n")
+  refused("begins with numbers", { data = { { y = "lid.fy", file = headless } } })
+  refused("columns[2] must be 'a', 'b' or 'c'", { data = { { y = "lid.fy", file = file, columns = { "a", "d" } } } })
+  refused("sigma must be 'a', 'b' or 'c'",
+    { data = { { y = "lid.fy", file = file, columns = { "a", "b" }, sigma = "s" } } })
+  local semicolons = check.file "semicolons.csv"
+  core.write_file(semicolons, "a;b\n1;2\n")
+  refused("columns are separated by commas", { data = { { y = "lid.fy", file = semicolons } } })
   refused("at the start, the run fails", { scene = function(q)
     local model, stages = pressed(q)
     return model, stages, { on_step = function() return "cut" end }

@@ -68,7 +68,7 @@ check.case("a least value at a kink", function()
   local found = optimum { least = function(run) return math.abs(check.last(run, "lid.fy") + 0.04) + 0.1 end }
   check.near(found.at.E, 10 / 3, 1e-3)
   check.equal(found.reason, "stalled")
-  check.holds(found.warnings[1], "at a kink")
+  check.holds(found.warnings[1], "have a kink")
 end)
 
 check.case("limits that cannot be kept are exceeded as little as possible", function()
@@ -91,12 +91,21 @@ check.case("early ends, files and reports", function()
     data = { { y = "lid.fy", points = { { 1, 0 }, { 1, 0 }, { 1, 0 } } } } } end, "is not that of such a search")
 end)
 
+check.case("limits that limit nothing, and results that do not change", function()
+  local found = optimum { least = "lid.fy", bounds = { H = { 0.5, 0.5 }, E = { 1, 20 } },
+                          where = { ["c.fy"] = { -math.huge, math.huge } } }
+  check.equal({ found.at.E, found.limits }, { 20, {} })
+  local constant = optimum { least = function() return 1 end, where = { ["c.fy"] = { 0, 0.05 } } }
+  check.equal({ constant.reason, constant.at.E, constant.limits[1].multiplier }, { "converged", 2.0, 0 })
+end)
+
 check.case("wrong input", function()
   local function refused(text, keys) check.fails(function() optimum(keys) end, text) end
   refused("least must be", { least = "lid.uy" })
   refused("the result of least is missing: it must be a finite number", { least = function() end })
-  refused("where must be", { where = { ["c.fz"] = { 0, 1 } } })
+  refused("where[\"c.fz\"] must be", { where = { ["c.fz"] = { 0, 1 } } })
   refused('where["c.fy"] must be {from, to}, got {1, 0}', { where = { ["c.fy"] = { 1, 0 } } })
+  refused('where["c.fy"] must be {from, to}', { where = { ["c.fy"] = { 0 / 0, 1 } } })
   refused("start.E = 2 is not within its bounds", { bounds = { E = { 3, 4 } } })
   refused("must return a model", { scene = function(q) return q.E + q.H end })
 end)
