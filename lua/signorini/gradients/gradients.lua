@@ -156,7 +156,10 @@ end
 function Gradients:profile(contact, parameter)
   local pair = pair_of(self, "gradients:profile", parameter)
   local model = core.types.model
-  local plus, minus = model.profile(pair.plus.model, contact), model.profile(pair.minus.model, contact)
+  local function profile_of(side)
+    return on_behalf_of("gradients:profile", "model:profile", model.profile, side.model, contact)
+  end
+  local plus, minus = profile_of(pair.plus), profile_of(pair.minus)
   return differences(lists.merged(plus), minus, pair.step)
 end
 

@@ -20,16 +20,21 @@ named.strict_type(Optimum, "optimum", "")
 -- Part of its size by which a limit may be exceeded before that is reported.
 local exceeded = 1e-4
 
-local function warnings_of(search, point, reason, tries)
-  local texts = { ends.text(search, reason, tries) }
+--- By how much a point exceeds a limit, in parts of its size.
+local function excess_of(point, i, limit)
+  return math.max(limit.from - point.results[i], point.results[i] - limit.to)
+end
+
+--- Sentences on limits that are exceeded.
+local function exceeded_limits(search, point)
+  local texts = {}
   for i, limit in ipairs(search.limits) do
-    local excess = math.max(limit.from - point.results[i], point.results[i] - limit.to)
-    if excess > exceeded then
+    if excess_of(point, i, limit) > exceeded then
       texts[#texts + 1] = ("%s = %.6g is not between %g and %g: no values that were tried reach that"):format(
         limit.name, point.results[i] * limit.size, limit.from * limit.size, limit.to * limit.size)
     end
   end
-  return lists.joined(texts, point.found.warnings, point.found.run.warnings)
+  return texts
 end
 
 local function rows_of(self)
@@ -71,14 +76,18 @@ return function(search, point, reason, tries)
   end
   --- The multiplier of a limit that is reached, 0 of one that is not, nil of one that is exceeded.
   local function multiplier_of(i, limit)
-    local near = math.min(point.results[i] - limit.from, limit.to - point.results[i])
-    if near < -exceeded then return nil end
-    return near < exceeded and limit.multiplier * search.size / limit.size or 0
+    local excess = excess_of(point, i, limit)
+    if excess > exceeded then return nil end
+    return excess > -exceeded and limit.multiplier * search.size / limit.size or 0
   end
+  local texts = exceeded_limits(search, point)
+  if reason == "converged" and #texts > 0 then reason = "infeasible" end
   return setmetatable({
     at = point.values, least = type(search.least) == "string" and search.least or "least", value = point.raw,
     began = search.began, run = point.found.run, gradients = point.found, tries = tries, reason = reason,
-    at_bounds = at_bounds, warnings = warnings_of(search, point, reason, tries),
+    at_bounds = at_bounds,
+    warnings = lists.joined({ ends.text(search, reason, tries) }, texts, point.found.warnings,
+      point.found.run.warnings),
     limits = lists.map(search.limits, function(limit, i)
       return { name = limit.name, value = point.results[i] * limit.size, from = limit.from * limit.size,
                to = limit.to * limit.size, multiplier = multiplier_of(i, limit) }

@@ -34,7 +34,7 @@ local data = t.named {
 }
 
 local reason = { "reason", t.text, [["converged", "stalled" (where derivatives do not describe the results: at kinks),
-"runs" or "interrupted"]] }
+"runs", "interrupted" or, of an optimum, "infeasible" (limits are exceeded)]] }
 local tries = { "tries", t.list(t.any), [[{ values, merit, outcome, taken, failed } of all runs with derivatives;
 failed: why, if it did]] }
 local gradients = { "gradients", t.object "gradients", "derivatives there" }

@@ -144,6 +144,29 @@ check.case("a film that is peeled off upright: the force is the energy of separa
   check.within("dF/dstrength", mean(found:column("grip.fy", "strength")), 0, 0.005)
 end)
 
+check.case("a belt that slides around half of a pulley: T2/T1 = exp(mu pi R/(R + h/2))", function()
+  local R, h, length, T1 = 20, 0.5, 10, 1
+  local function belt(q)
+    local function straight(x) return sg.shapes.rectangle { width = h, height = length, corner = { x, 0 } } end
+    local patches = { straight(-R - h), sg.shapes.half_annulus { inner = R, outer = R + h, center = { 0, 0 } },
+                      straight(R), boundaries = { slack = { "1.north" }, inside = { "1.east", "2.north", "3.west" },
+                                                  tight = { "3.north" } } }
+    local body = sg.body { patch = patches, elements = { { 1, 4 }, { 24, 1 }, { 1, 4 } }, order = "N2",
+                           contact = "inside", material = sg.neo_hookean { E = 1000, nu = 0.3 } }
+    local pulley = sg.rigid.cylinder { center = { 0, 0 }, radius = R }
+    local model = sg.model { bodies = { belt = body },
+      supports = { slack = { on = body:face "slack", fix = "x" }, tight = { on = body:face "tight", fix = "xy" },
+                   pulley = { on = pulley, fix = "xy", rotate = true } },
+      loads = { pull = { on = body:face "slack", traction = { 0, 0 } } },
+      contacts = { wrap = { slave = body:face "inside", master = pulley, penalty = 100,
+                            friction = { mu = q.mu, penalty = 100 } } } }
+    return model, { { steps = 4, pull = { 0, T1 / h } }, { steps = 8, pulley = -3 } }, tight
+  end
+  local found = sg.gradients { scene = belt, at = { mu = 0.3 } }
+  local pulled = check.last(found.run, "tight.fy")
+  check.within("d ln T2/d mu", found:column("tight.fy", "mu")[12] / pulled, math.pi * R / (R + h / 2), 0.03)
+end)
+
 check.case("a press fit: the pressure is proportional to the interference", function()
   local function fit(q)
     local function tube(inner, outer)

@@ -75,6 +75,8 @@ check.case("limits that cannot be kept are exceeded as little as possible", func
   local found = optimum { least = "lid.fy", bounds = { H = { 0.5, 0.5 }, E = { 1, 5 } },
                           where = { ["c.fy"] = { 0.06, 1 } } }
   check.near(found.at.E, 5, 1e-9)
+  check.equal({ found.reason, found.limits[1].multiplier }, { "infeasible", nil })
+  check.holds(tostring(found), "exceeded")
   check.holds(found.warnings[1], "c.fy = 0.05 is not between 0.06 and 1")
 end)
 
