@@ -7,6 +7,7 @@ local counted = require("signorini.call.text").counted
 local lists = require "signorini.call.lists"
 local parameters = require "signorini.inverse.parameters"
 local progress = require "signorini.run.progress"
+local vectors = require "signorini.inverse.vectors"
 
 -- The first moves change no parameter by more than a factor of two, later ones by a factor of ten.
 local first_radius, largest_radius = math.log(2), math.log(10)
@@ -24,8 +25,6 @@ local function norm(z)
   for _, value in ipairs(z) do most = math.max(most, math.abs(value)) end
   return most
 end
-
-local function plus(z, d) return lists.map(z, function(value, j) return value + d[j] end) end
 
 --- The limits of a move from z.
 local function box(free, z, radius)
@@ -61,7 +60,7 @@ return function(problem, point, radius)
       return point, is_last and not tries[#tries].failed and "converged" or "stalled", tries
     end
     if #tries >= problem.most then return point, "runs", tries end
-    local z = plus(point.z, d)
+    local z = vectors.sum(point.z, d)
     local new, why = problem.evaluate(z)
     if new == nil and why == "interrupted" then return point, "interrupted", tries end
     local gain = new and (problem.merit(point) - problem.merit(new)) / promise or -1

@@ -10,8 +10,10 @@ local parameters = require "signorini.inverse.parameters"
 local progress_file = require "signorini.inverse.progress_file"
 local sizes = require "signorini.gradients.sizes"
 local trial = require "signorini.inverse.trial"
+local vectors = require "signorini.inverse.vectors"
 
 local where = "sg.fit"
+local dot, difference, sum = vectors.dot, vectors.difference, vectors.sum
 
 -- Singular values below this part of the largest are rounding errors of the derivatives.
 local negligible = 1e-4
@@ -23,14 +25,6 @@ local smallest = 1e-6
 local passes, most_halvings = 50, 8
 -- Weights that change by more than this part after the error bars are known at the values found are used once more.
 local noticed = 0.1
-
-local function dot(a, b)
-  local sum = 0
-  for i, value in ipairs(a) do sum = sum + value * b[i] end
-  return sum
-end
-
-local function minus(a, b) return lists.map(a, function(value, i) return value - b[i] end) end
 
 --- Standard deviations of the points of all sets in one list: of the data, with the error bars of the results.
 local function weights_of(search)
@@ -94,23 +88,22 @@ local function least_squares(search, residuals, columns, low, high)
   return core.box_least_squares(reduced, right, low, high), dot(right, right)
 end
 
---- The residuals at a move d from a point, and their derivatives −J there, by the derivatives at the point and the
---- residuals at another one, z + b: r − J d + (b · d/b · b)² (r_b − r + J b) [theory (12.6)].
+--- r − J d of a point.
+local function linear(point, d)
+  local residuals = lists.joined(point.residuals)
+  for j, column in ipairs(point.columns) do residuals = sum(residuals, column, -d[j]) end
+  return residuals
+end
+
+--- The residuals at a move d from a point, and their derivatives −J there, as a function of d, by the derivatives at
+--- the point and the residuals at another one, z + b: r − J d + (b · d/b · b)² (r_b − r + J b) [theory (12.6)].
 local function tensor_model(point, other)
-  local b = minus(other.z, point.z)
-  local function linear(d, row)
-    local value = point.residuals[row]
-    for j, column in ipairs(point.columns) do value = value - column[row] * d[j] end
-    return value
-  end
-  local bend = lists.map(other.residuals, function(value, row) return value - linear(b, row) end)
-  local square = dot(b, b)
+  local b = difference(other.z, point.z)
+  local bend, square = difference(other.residuals, linear(point, b)), dot(b, b)
   return function(d)
     local part = dot(b, d) / square
-    return lists.map(bend, function(value, row) return linear(d, row) + part ^ 2 * value end),
-      lists.map(point.columns, function(column, j)
-        return lists.map(column, function(value, row) return value - 2 * part * b[j] / square * bend[row] end)
-      end)
+    return sum(linear(point, d), bend, part ^ 2),
+      lists.map(point.columns, function(column, j) return sum(column, bend, -2 * part * b[j] / square) end)
   end
 end
 
@@ -118,20 +111,15 @@ end
 local function move(search, point, other, low, high)
   local little = noise * variance(search, point)
   local model = other and tensor_model(point, other)
-    or function(d)
-      return lists.map(point.residuals, function(value, row)
-        for j, column in ipairs(point.columns) do value = value - column[row] * d[j] end
-        return value
-      end), point.columns
-    end
+    or function(d) return linear(point, d), point.columns end
   local d, least, most = lists.map(search.free, function() return 0 end), point.merit, nil
   local residuals, columns = point.residuals, point.columns
   for _ = 1, other and passes or 1 do
-    local by, gain = least_squares(search, residuals, columns, minus(low, d), minus(high, d))
+    local by, gain = least_squares(search, residuals, columns, difference(low, d), difference(high, d))
     most = most or gain
     local before = least
     for halvings = 0, most_halvings do
-      local to = lists.map(d, function(value, j) return value + 0.5 ^ halvings * by[j] end)
+      local to = sum(d, by, 0.5 ^ halvings)
       local there, slopes = model(to)
       local size = dot(there, there)
       if size < least then
@@ -167,14 +155,14 @@ end
 --- Sets the weights of the points, and the mean square of the rounding errors of the results next to them.
 local function set_weights(search, found)
   search.weights = weights_of(search)
-  local largest, sum, row = sizes.largest(found.run, found.results, found.run.model), 0, 0
+  local largest, squares, row = sizes.largest(found.run, found.results, found.run.model), 0, 0
   for _, set in ipairs(search.sets) do
     for _ in ipairs(set.at) do
       row = row + 1
-      sum = sum + (sizes.uncertain * largest[sizes.kind_of(set.y)] / search.weights[row]) ^ 2
+      squares = squares + (sizes.uncertain * largest[sizes.kind_of(set.y)] / search.weights[row]) ^ 2
     end
   end
-  search.rounding = sum / row
+  search.rounding = squares / row
 end
 
 --- The error bars of the results at values, by set, with the sets in which some are unknown; nil if the run fails.

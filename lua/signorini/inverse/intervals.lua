@@ -4,6 +4,7 @@ local core = require "signorini.core"
 local lists = require "signorini.call.lists"
 local parameters = require "signorini.inverse.parameters"
 local statistics = require "signorini.inverse.statistics"
+local dot = require("signorini.inverse.vectors").dot
 
 local intervals = {}
 
@@ -13,12 +14,6 @@ local outside = 0.05
 local unknown = 1
 -- Rounding errors of singular values, in parts of the largest.
 local rounding = 1e-12
-
-local function dot(a, b)
-  local sum = 0
-  for i, value in ipairs(a) do sum = sum + value * b[i] end
-  return sum
-end
 
 --- Error bars of the results, in parts of the weights; nil without any.
 local function weighed_bars(search)

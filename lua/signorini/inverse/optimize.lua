@@ -8,8 +8,10 @@ local lists = require "signorini.call.lists"
 local parameters = require "signorini.inverse.parameters"
 local progress_file = require "signorini.inverse.progress_file"
 local trial = require "signorini.inverse.trial"
+local vectors = require "signorini.inverse.vectors"
 
 local where = "sg.optimize"
+local dot, difference = vectors.dot, vectors.difference
 
 -- Moves of ln q below this end a search: the result changes by its square.
 local smallest = 1e-5
@@ -19,12 +21,6 @@ local negligible = 1e-9
 local weight = 1e4
 -- Part of sᵀ B s below which the curvature of a move is replaced [Powell 1978].
 local least_curvature = 0.2
-
-local function dot(a, b)
-  local sum = 0
-  for i, value in ipairs(a) do sum = sum + value * b[i] end
-  return sum
-end
 
 local function beyond(value, limit) return math.max(0, limit.from - value, value - limit.to) end
 
@@ -98,9 +94,8 @@ end
 --- Learns the curvature along a move from `before` to `after`: BFGS, damped where it is small or negative.
 local function learn(search, before, after)
   local B = search.curvature
-  local s = lists.map(after.z, function(value, j) return value - before.z[j] end)
-  local old, new = slope_of_all(search, before), slope_of_all(search, after)
-  local y = lists.map(new, function(value, j) return value - old[j] end)
+  local s = difference(after.z, before.z)
+  local y = difference(slope_of_all(search, after), slope_of_all(search, before))
   local Bs = lists.map(B, function(column) return dot(column, s) end)
   local sBs, sy = dot(s, Bs), dot(s, y)
   if sy < least_curvature * sBs then

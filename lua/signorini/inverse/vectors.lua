@@ -1,0 +1,18 @@
+-- Vectors as lists of numbers.
+
+local lists = require "signorini.call.lists"
+
+local vectors = {}
+
+function vectors.dot(a, b)
+  local sum = 0
+  for i, value in ipairs(a) do sum = sum + value * b[i] end
+  return sum
+end
+
+--- a + factor b.
+function vectors.sum(a, b, factor) return lists.map(a, function(value, i) return value + (factor or 1) * b[i] end) end
+
+function vectors.difference(a, b) return vectors.sum(a, b, -1) end
+
+return vectors
