@@ -20,8 +20,7 @@ function history.begin(model) known[model] = { runs = {}, state = state_of(model
 --- The runs { stages, options } before the present state of a model; nil if it was reached in another way.
 function history.of(model)
   local record = known[model]
-  if not (record and pcall(model.snapshot, model)) then return nil end -- targets or constants are not accepted yet
-  return record.state == state_of(model) and record.runs or nil
+  return record and record.state == state_of(model) and record.runs or nil
 end
 
 --- Notes a run that has ended; `before`: the runs before it. A path that on_step has ended cannot be repeated.
