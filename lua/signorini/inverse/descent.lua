@@ -20,12 +20,6 @@ local poor, good = 0.25, 0.75
 -- Factors on the length of a move that brought too little, or whose run failed.
 local shorter, much_shorter = 0.5, 0.25
 
-local function norm(z)
-  local most = 0
-  for _, value in ipairs(z) do most = math.max(most, math.abs(value)) end
-  return most
-end
-
 --- The limits of a move from z.
 local function box(free, z, radius)
   return lists.map(free, function(one, j) return math.max(one.low - z[j], -radius) end),
@@ -54,7 +48,7 @@ return function(problem, point, radius)
   while true do
     local low, high = box(free, point.z, radius)
     local d, promise, is_last = problem.move(point, low, high)
-    local length = norm(d)
+    local length = vectors.norm(d)
     if length < problem.smallest or promise <= 0 then return point, "converged", tries end
     if radius < smallest_radius then
       return point, is_last and not tries[#tries].failed and "converged" or "stalled", tries

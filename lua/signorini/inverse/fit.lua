@@ -13,7 +13,7 @@ local trial = require "signorini.inverse.trial"
 local vectors = require "signorini.inverse.vectors"
 
 local where = "sg.fit"
-local dot, difference, sum = vectors.dot, vectors.difference, vectors.sum
+local dot, difference, norm, sum = vectors.dot, vectors.difference, vectors.norm, vectors.sum
 
 -- Singular values below this part of the largest are rounding errors of the derivatives.
 local negligible = 1e-4
@@ -21,6 +21,8 @@ local negligible = 1e-4
 local noise = 0.01
 -- Moves of ln q below this end a search: derivatives are not more exact.
 local smallest = 1e-6
+-- Distance below which another point tells rounding errors in place of curvature.
+local too_near = 1e-3
 -- Most passes of Gauss and Newton's method for the best move.
 local passes, most_halvings = 50, 8
 -- Weights that change by more than this part after the error bars are known at the values found are used once more.
@@ -110,6 +112,7 @@ end
 --- The best move from a point within limits. `other`: a further point of which the residuals are known, or nil.
 local function move(search, point, other, low, high)
   local little = noise * variance(search, point)
+  if other and norm(difference(other.z, point.z)) < too_near then other = nil end
   local model = other and tensor_model(point, other)
     or function(d) return linear(point, d), point.columns end
   local d, least, most = lists.map(search.free, function() return 0 end), point.merit, nil
@@ -165,10 +168,11 @@ local function set_weights(search, found)
   search.rounding = squares / row
 end
 
---- The error bars of the results at values, by set, with the sets in which some are unknown; nil if the run fails.
+--- The error bars of the results at values, by set, with the sets in which some are unknown; nil if the run fails,
+--- with "interrupted" if Ctrl-C has ended it.
 local function bars_at(search, values)
-  local run = trial.run(search, values, { errors = true })
-  if not run or not run.errors then return nil end
+  local run, why = trial.run(search, values, { errors = true })
+  if not run or not run.errors then return nil, why end
   local all = { unknown = {} }
   for k, set in ipairs(search.sets) do
     local is_unknown
@@ -189,7 +193,9 @@ end
 local function solve(search, point, radius)
   local best, reason, tries = descend(search, point, radius, search.runs)
   if not search.bars or reason == "interrupted" then return best, reason, tries end
-  search.bars = bars_at(search, best.values) or search.bars
+  local bars, why = bars_at(search, best.values)
+  if why then return best, why, tries end
+  search.bars = bars or search.bars
   local before = search.weights
   set_weights(search, best.found)
   weigh(search, best)

@@ -100,12 +100,13 @@ local function about_bars(search)
   end)
 end
 
---- The residuals of a run at other values, from that of the point, next to their linear change.
+--- By which part the residuals at a move of one variable differ from their linear change; nil if the run fails, with
+--- "interrupted" if Ctrl-C has ended it.
 local function differs(search, point, j, move)
   local z = lists.merged(point.z)
   z[j] = z[j] + move
-  local run = trial.run(search, parameters.values(search.free, search.fixed, z))
-  if not run then return nil end
+  local run, why = trial.run(search, parameters.values(search.free, search.fixed, z))
+  if not run then return nil, why end
   local row, linear, error = 0, 0, 0
   for k, set in ipairs(search.sets) do
     local values = data.values(set, { run = run, start = point.found.start }, set.at)
@@ -127,7 +128,9 @@ local function about_ends(search, point, found)
     if half then
       for _, sign in ipairs { -1, 1 } do
         local move = math.max(one.low, math.min(one.high, point.z[j] + sign * half)) - point.z[j]
-        local error = move ~= 0 and differs(search, point, j, move) or move == 0 and 0
+        local error, why = 0, nil
+        if move ~= 0 then error, why = differs(search, point, j, move) end
+        if why then return { "Ctrl-C has ended the check of the intervals" } end
         if not error then failing[#failing + 1] = one.name
         elseif error > curved then bent[#bent + 1] = one.name end
       end

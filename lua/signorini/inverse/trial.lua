@@ -46,7 +46,8 @@ function trial.begin(search, values)
   core.fail(("%s: at the start, %s"):format(search.caller, why))
 end
 
---- A run of the scene at values without derivatives, with further options; nil if it fails.
+--- A run of the scene at values without derivatives, with further options; nil if it fails, with "interrupted" if
+--- Ctrl-C has ended it.
 function trial.run(search, values, options)
   local done, run = quietly(function()
     local made = scene.make(search.caller, search.scene, values)
@@ -54,7 +55,7 @@ function trial.run(search, values, options)
     made.options.measure = search.measure or made.options.measure
     return run_path(made.model, made.list, made.options)
   end)
-  if not done and is_interruption(run) then core.fail(core.interruption()) end
+  if done and run.reason == "interrupted" or not done and is_interruption(run) then return nil, "interrupted" end
   return done and not run.failed and run or nil
 end
 

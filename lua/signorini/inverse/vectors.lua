@@ -10,6 +10,13 @@ function vectors.dot(a, b)
   return sum
 end
 
+--- The largest absolute value.
+function vectors.norm(a)
+  local most = 0
+  for _, value in ipairs(a) do most = math.max(most, math.abs(value)) end
+  return most
+end
+
 --- a + factor b.
 function vectors.sum(a, b, factor) return lists.map(a, function(value, i) return value + (factor or 1) * b[i] end) end
 

@@ -101,12 +101,16 @@ calls, last = 0, 5 fit = sg.fit(search)
 print("fit", fit.reason, #fit.tries, fit.at.d, fit.warnings[1])
 calls, last, fit = 0, 1, "nothing" fit = sg.fit(search)
 print("none", fit)
+calls, last = 0, math.huge fit = sg.fit(search)
+calls, last = 0, calls - 1 fit = sg.fit(search) -- in the first run at an end of an interval
+print("checked", fit.reason, fit.warnings[1])
 search = { scene = scene, start = { d = 0.1 }, least = "top.fy", bounds = { d = { 0.1, 0.9 } } }
 calls, last = 0, 8 best = sg.optimize(search)
 print("optimum", best.reason, #best.tries, best.at.d > 0.1)
 print("still", pressed():last_length())
 ]]
   check.holds(output, "fit\tinterrupted\t1\t0.1\tCtrl-C has ended the search", "none\tnothing",
+    "checked\tconverged\tCtrl-C has ended the check of the intervals",
     "optimum\tinterrupted\t2\ttrue", "still\t0")
 end)
 
