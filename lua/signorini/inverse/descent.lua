@@ -2,9 +2,6 @@
 -- within a box, the trust region; it counts only by what the results of a run at its end say, since slopes hold between
 -- kinks alone. Gradients of contact are exact, but one point that begins to slip changes them.
 
-local core = require "signorini.core"
-local counted = require("signorini.call.text").counted
-local lists = require "signorini.call.lists"
 local parameters = require "signorini.inverse.parameters"
 local progress = require "signorini.run.progress"
 local vectors = require "signorini.inverse.vectors"
@@ -20,12 +17,6 @@ local poor, good = 0.25, 0.75
 -- Factors on the length of a move that brought too little, or whose run failed.
 local shorter, much_shorter = 0.5, 0.25
 
---- The limits of a move from z.
-local function box(free, z, radius)
-  return lists.map(free, function(one, j) return math.max(one.low - z[j], -radius) end),
-    lists.map(free, function(one, j) return math.min(one.high - z[j], radius) end)
-end
-
 --- Searches from a point. `problem`: { name, free, fixed, most (runs), smallest (moves that end the search) } with
 ---   evaluate(z): the point { z, values, … } there; or nil, and why there is none;
 ---   merit(point), which may depend on what `move` has learned;
@@ -33,8 +24,7 @@ end
 ---     little to go on afterwards;
 ---   accepted(point, radius): called for each point that becomes the best one.
 --- `radius`: of the first trust region. Returns the best point, why the search has ended ("converged", "stalled",
---- "runs", "interrupted"), and all tries as { values, merit, outcome, taken, failed
---- (why, if the run failed) }.
+--- "runs", "interrupted"), and all tries as { values, merit, outcome, taken, failed (why, if the run failed) }.
 return function(problem, point, radius)
   local display, free = progress(problem.most), problem.free
   radius = radius or first_radius
@@ -46,7 +36,7 @@ return function(problem, point, radius)
   end
   note(point.values, problem.merit(point), problem.describe(point), true)
   while true do
-    local low, high = box(free, point.z, radius)
+    local low, high = parameters.room(free, point.z, radius)
     local d, promise, is_last = problem.move(point, low, high)
     local length = vectors.norm(d)
     if length < problem.smallest or promise <= 0 then return point, "converged", tries end

@@ -86,8 +86,7 @@ local function least_squares(search, residuals, columns, low, high)
     end
   end
   if #rows == 0 then return lists.map(search.free, function() return 0 end), 0 end
-  local reduced = lists.map(search.free, function(_, j) return lists.map(rows, function(row) return row[j] end) end)
-  return core.box_least_squares(reduced, right, low, high), dot(right, right)
+  return core.box_least_squares(vectors.transposed(rows), right, low, high), dot(right, right)
 end
 
 --- r − J d of a point.

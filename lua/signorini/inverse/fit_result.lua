@@ -4,14 +4,11 @@ local core = require "signorini.core"
 local counted = require("signorini.call.text").counted
 local data = require "signorini.inverse.data"
 local ends = require "signorini.inverse.ends"
-local format_table = require("signorini.output.table").text
-local html = require "signorini.output.report.html"
-local html_table = require "signorini.output.report.table"
 local lists = require "signorini.call.lists"
 local named = require "signorini.call.named"
 local on_behalf_of = require "signorini.call.on_behalf_of"
 local parameters = require "signorini.inverse.parameters"
-local run_report = require "signorini.output.report.run"
+local shown = require "signorini.inverse.shown"
 local trial = require "signorini.inverse.trial"
 
 local Fit = {}
@@ -162,8 +159,8 @@ local function make(search, point, reason, tries, found)
   }, Fit)
 end
 
---- Values and intervals as a table, and its units of print.
-local function rows_of(self)
+--- Values and intervals as a table.
+local function content_of(self)
   local columns = { "parameter", "value", "from", "to" }
   local with_bars = self.search.bars ~= nil
   if with_bars then columns[5] = "of the solution" end
@@ -173,7 +170,7 @@ local function rows_of(self)
     local share = with_bars and half and self.of_solution[one.name] * parameters.rate(one, self.at) or nil
     return { one.name, self.at[one.name], at[1], at[2], share }
   end)
-  return columns, rows
+  return { columns = columns, rows = rows, formats = { [5] = "%.2g" } }
 end
 
 local function summary(self)
@@ -181,12 +178,7 @@ local function summary(self)
     self.search.sets[1].has_sigma and " standard deviations" or "", counted(#self.tries, "run"))
 end
 
-function Fit:__tostring()
-  local columns, rows = rows_of(self)
-  local text = format_table { columns = columns, rows = rows, formats = { [5] = "%.2g" } } .. "\n" .. summary(self)
-  for _, line in ipairs(self.warnings) do text = text .. "\n" .. line end
-  return text
-end
+function Fit:__tostring() return shown.text(content_of(self), summary(self), self.warnings) end
 
 local function set_of(self, what, k)
   if not self.search.sets[k] then
@@ -206,7 +198,7 @@ end
 --- The line of the run through a set: lists x and y.
 local function line_of(self, k)
   local set = self.search.sets[k]
-  local first, last = math.min(table.unpack(set.at)), math.max(table.unpack(set.at))
+  local first, last = table.unpack(lists.ranges(lists.map(set.at, function(at) return { at } end))[1])
   local at = {}
   for i = 0, chart_points do at[i + 1] = first + (last - first) * i / chart_points end
   return at, data.values(set, self.gradients, at)
@@ -225,13 +217,10 @@ end
 
 --- The page of the run, which begins with the table of the fit and its charts.
 function Fit:report(options)
-  local columns, rows = rows_of(self)
   local charts = lists.map(self.search.sets, function(_, k) return self:chart { set = k } end)
   options = lists.merged(options, { title = options.title or "Fit",
                                     charts = lists.joined(charts, options.charts or {}) })
-  local section = { title = "Parameters", html = html_table { title = "parameters", columns = columns, rows = rows }
-    .. html.list(lists.joined({ summary(self) }, self.warnings)) }
-  on_behalf_of("fit:report", "run:report", run_report, self.run, options, { section })
+  shown.report("fit:report", self.run, options, "Parameters", content_of(self), summary(self), self.warnings)
 end
 
 require("signorini.call.methods").guard("fit", "data chart report")

@@ -1,7 +1,6 @@
 -- What a search for an optimum looks at: numbers of a run at its end, and their derivatives.
 
 local check = require "signorini.call.check"
-local core = require "signorini.core"
 local lists = require "signorini.call.lists"
 local parameters = require "signorini.inverse.parameters"
 local Run = require "signorini.run.run_result"
@@ -23,6 +22,9 @@ local function number_of(where, of, run)
   end
   return value
 end
+
+--- By how much a value exceeds a limit { from, to }; negative within it.
+function goal.excess(value, limit) return math.max(limit.from - value, value - limit.to) end
 
 --- Checks that a column has derivatives.
 function goal.check(where, key, name, found) check.value(t.choice(found.results), name, where, key) end

@@ -22,7 +22,7 @@ local weight = 1e4
 -- Part of sᵀ B s below which the curvature of a move is replaced [Powell 1978].
 local least_curvature = 0.2
 
-local function beyond(value, limit) return math.max(0, limit.from - value, value - limit.to) end
+local function beyond(value, limit) return math.max(0, goal.excess(value, limit)) end
 
 --- A point: `value` (of the result over that at the start), its `slope`, and `results` and `slopes` of the limits over
 --- their sizes.
@@ -51,32 +51,26 @@ end
 --- they are exceeded as little as possible. Sets the multipliers of the limits.
 local function move(search, point, low, high)
   local n, found = #search.free, core.singular_values(search.curvature)
-  local columns, right = lists.map(search.free, function() return {} end), {}
+  local none = lists.map(search.limits, function() return 0 end)
+  local rows, right, inside = {}, {}, {}
   for k, value in ipairs(found.values) do
-    for j = 1, n do columns[j][k] = math.sqrt(value) * found.v[k][j] end
+    rows[k] = lists.joined(lists.map(found.v[k], function(part) return math.sqrt(value) * part end), none)
     right[k] = -dot(found.v[k], point.slope) / math.sqrt(value)
   end
   low, high = lists.joined(low), lists.joined(high)
   for i, limit in ipairs(search.limits) do
-    local row, inside = #right + 1, math.max(limit.from, math.min(limit.to, point.results[i]))
-    for j = 1, n do columns[j][row] = weight * point.slopes[i][j] end
-    for other = 1, i - 1 do columns[n + other][row] = 0 end
-    columns[n + i] = {}
-    for k = 1, row - 1 do columns[n + i][k] = 0 end
-    columns[n + i][row] = -weight
-    right[row] = weight * (inside - point.results[i])
-    low[n + i], high[n + i] = limit.from - inside, limit.to - inside
+    inside[i] = math.max(limit.from, math.min(limit.to, point.results[i]))
+    rows[n + i] = lists.joined(lists.map(point.slopes[i], function(part) return weight * part end), none)
+    rows[n + i][n + i] = -weight
+    right[n + i] = weight * (inside[i] - point.results[i])
+    low[n + i], high[n + i] = limit.from - inside[i], limit.to - inside[i]
   end
-  for _, column in ipairs(columns) do
-    for k = #column + 1, #right do column[k] = 0 end
-  end
-  local all = core.box_least_squares(columns, right, low, high)
+  local all = core.box_least_squares(vectors.transposed(rows), right, low, high)
   local d = { table.unpack(all, 1, n) }
   local promise = -dot(point.slope, d) - 0.5 * dot(d, lists.map(search.curvature, function(c) return dot(c, d) end))
   for i, limit in ipairs(search.limits) do
     local result = point.results[i] + dot(point.slopes[i], d)
-    local inside = math.max(limit.from, math.min(limit.to, point.results[i]))
-    limit.multiplier = weight ^ 2 * (result - inside - all[n + i])
+    limit.multiplier = weight ^ 2 * (result - inside[i] - all[n + i])
     limit.price = math.max(2 * math.abs(limit.multiplier), limit.price)
     promise = promise + limit.price * (beyond(point.results[i], limit) - beyond(result, limit))
   end
@@ -164,7 +158,6 @@ return function(search)
   search.began = first.raw
   local point, reason, tries = descend(search, first, radius)
   -- The multipliers there, as far as the bounds allow a move.
-  move(search, point, lists.map(search.free, function(one, j) return one.low - point.z[j] end),
-    lists.map(search.free, function(one, j) return one.high - point.z[j] end))
+  move(search, point, parameters.room(search.free, point.z, math.huge))
   return require "signorini.inverse.optimum"(search, point, reason, tries)
 end

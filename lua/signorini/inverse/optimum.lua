@@ -3,13 +3,10 @@
 local core = require "signorini.core"
 local counted = require("signorini.call.text").counted
 local ends = require "signorini.inverse.ends"
-local format_table = require("signorini.output.table").text
-local html = require "signorini.output.report.html"
-local html_table = require "signorini.output.report.table"
+local goal = require "signorini.inverse.goal"
 local lists = require "signorini.call.lists"
 local named = require "signorini.call.named"
-local on_behalf_of = require "signorini.call.on_behalf_of"
-local run_report = require "signorini.output.report.run"
+local shown = require "signorini.inverse.shown"
 
 local Optimum = {}
 Optimum.__index = Optimum
@@ -20,16 +17,11 @@ named.strict_type(Optimum, "optimum", "")
 -- Part of its size by which a limit may be exceeded before that is reported.
 local exceeded = 1e-4
 
---- By how much a point exceeds a limit, in parts of its size.
-local function excess_of(point, i, limit)
-  return math.max(limit.from - point.results[i], point.results[i] - limit.to)
-end
-
 --- Sentences on limits that are exceeded.
 local function exceeded_limits(search, point)
   local texts = {}
   for i, limit in ipairs(search.limits) do
-    if excess_of(point, i, limit) > exceeded then
+    if goal.excess(point.results[i], limit) > exceeded then
       texts[#texts + 1] = ("%s = %.6g is not between %g and %g: no values that were tried reach that"):format(
         limit.name, point.results[i] * limit.size, limit.from * limit.size, limit.to * limit.size)
     end
@@ -37,7 +29,8 @@ local function exceeded_limits(search, point)
   return texts
 end
 
-local function rows_of(self)
+--- Values, the result and the limits as a table.
+local function content_of(self)
   local rows = lists.map(lists.sorted_names(self.at), function(name)
     return { name, self.at[name], lists.holds(self.at_bounds, name) and "at a bound" or "" }
   end)
@@ -46,25 +39,17 @@ local function rows_of(self)
     rows[#rows + 1] = { limit.name, limit.value, ("%g to %g%s"):format(limit.from, limit.to,
       not limit.multiplier and ", exceeded" or limit.multiplier ~= 0 and ", active" or "") }
   end
-  return { "quantity", "value", "" }, rows
+  return { columns = { "quantity", "value", "" }, rows = rows }
 end
 
 local function summary(self) return ("%s, from %.6g at the start"):format(counted(#self.tries, "run"), self.began) end
 
-function Optimum:__tostring()
-  local columns, rows = rows_of(self)
-  local text = format_table { columns = columns, rows = rows } .. "\n" .. summary(self)
-  for _, line in ipairs(self.warnings) do text = text .. "\n" .. line end
-  return text
-end
+function Optimum:__tostring() return shown.text(content_of(self), summary(self), self.warnings) end
 
 --- The page of the run, which begins with the table of the optimum.
 function Optimum:report(options)
-  local columns, rows = rows_of(self)
-  local section = { title = "Optimum", html = html_table { title = "optimum", columns = columns, rows = rows }
-    .. html.list(lists.joined({ summary(self) }, self.warnings)) }
-  on_behalf_of("optimum:report", "run:report", run_report, self.run,
-    lists.merged(options, { title = options.title or "Optimum" }), { section })
+  shown.report("optimum:report", self.run, lists.merged(options, { title = options.title or "Optimum" }), "Optimum",
+    content_of(self), summary(self), self.warnings)
 end
 
 require("signorini.call.methods").guard("optimum", "report")
@@ -76,7 +61,7 @@ return function(search, point, reason, tries)
   end
   --- The multiplier of a limit that is reached, 0 of one that is not, nil of one that is exceeded.
   local function multiplier_of(i, limit)
-    local excess = excess_of(point, i, limit)
+    local excess = goal.excess(point.results[i], limit)
     if excess > exceeded then return nil end
     return excess > -exceeded and limit.multiplier * search.size / limit.size or 0
   end

@@ -86,6 +86,12 @@ function parameters.scale(free)
   return scale
 end
 
+--- The limits of a move from z: the bounds, and `radius` in each direction.
+function parameters.room(free, z, radius)
+  return lists.map(free, function(one, j) return math.max(one.low - z[j], -radius) end),
+    lists.map(free, function(one, j) return math.min(one.high - z[j], radius) end)
+end
+
 --- dq/dz of a parameter at values.
 function parameters.rate(one, values) return one.is_log and values[one.name] or one.size end
 

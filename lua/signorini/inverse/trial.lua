@@ -19,7 +19,11 @@ local function quietly(f, ...)
   return done, result
 end
 
-local function is_interruption(message) return tostring(message):find(core.interruption(), 1, true) ~= nil end
+--- True for the error by which Ctrl-C or the end of --time ends a script, not for one that has the word in its text.
+local function is_interruption(message)
+  local text = core.interruption()
+  return tostring(message):sub(-#text) == text
+end
 
 --- A text in one line without the position in the script.
 local function short(text) return (tostring(text):match "^[^\n]*":gsub("^[^%s]+:%d+: ", "")) end

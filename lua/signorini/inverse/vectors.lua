@@ -22,4 +22,9 @@ function vectors.sum(a, b, factor) return lists.map(a, function(value, i) return
 
 function vectors.difference(a, b) return vectors.sum(a, b, -1) end
 
+--- A matrix, a list of rows, as a list of columns.
+function vectors.transposed(rows)
+  return lists.map(rows[1], function(_, j) return lists.map(rows, function(row) return row[j] end) end)
+end
+
 return vectors

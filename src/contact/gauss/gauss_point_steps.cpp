@@ -24,9 +24,11 @@ void GaussPointContact<D>::commit(History<D>& present, const History<D>& accepte
 
 /// Writes the positions of points that are not watched, which evaluations leave out.
 template <int D> void GaussPointContact<D>::place_others(History<D>& present) const {
-  for (std::size_t e = 0; e + 1 < points_.starts.size(); ++e)
-    for (std::size_t i = points_.starts[e]; i < points_.starts[e + 1] && !is_watched(present, points_.starts[e]); ++i)
+  for (std::size_t e = 0; e + 1 < points_.starts.size(); ++e) {
+    if (is_watched(present, points_.starts[e])) continue;
+    for (std::size_t i = points_.starts[e]; i < points_.starts[e + 1]; ++i)
       if (acts(points_, present, i)) present.results[i].position = position(points_, faces_.slave, i);
+  }
 }
 
 /// Friction that a path switches off leaves no slip points: later friction starts at the foot points of its time. Its
