@@ -185,7 +185,7 @@ template <int D> std::shared_ptr<Model<D>> with_bodies(const Model<D>& model, co
   state.penalty_factor = old.penalty_factor;
   state.time = old.time;
   state.internal = old.internal;
-  for (std::size_t k = 0; k < old.contacts.size(); ++k) state.contacts[k] = carry.history(k, old.contacts[k]);
+  for (std::size_t k = 0; k < old.contacts.size(); ++k) state.contacts.own()[k] = carry.history(k, old.contacts[k]);
   other.path = model.path;
   other.path.increment = carry.degrees_of_freedom(model.path.increment);
   other.path.before = carry.degrees_of_freedom(model.path.before);
@@ -195,7 +195,7 @@ template <int D> std::shared_ptr<Model<D>> with_bodies(const Model<D>& model, co
   const InitialContact onward{gap_rounding * largest_position(other), true};
   Message why;
   if (evaluate(other, {.tangent = false, .initial = onward}, why) != solve::Outcome::converged) return nullptr;
-  for (contact::History<D>& history : other.present.contacts)
+  for (contact::History<D>& history : other.present.contacts.own())
     for (std::size_t a = 0; a < history.multipliers.size(); ++a)
       history.multipliers[a].limit *= history.multiplier_results[a].area;
   carry_reactions(model, other);

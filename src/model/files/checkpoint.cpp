@@ -52,7 +52,7 @@ template <int D> void read_state(ArchiveReader& from, const System<D>& system, S
   require(saved.linear == LinearKind::automatic || saved.linear == LinearKind::reuse, "model.checkpoint.solver",
           {{"number", static_cast<int>(saved.linear)}});
   for (std::size_t k = 0; k < contacts.size(); ++k) {
-    contact::read_history<D>(from, *system.contacts[k], contacts[k]);
+    contact::read_history<D>(from, *system.contacts[k], contacts.own()[k]);
     check_changes(system.scene.contacts[k], contacts[k].changes);
   }
   for (auto& values : internal) {

@@ -198,10 +198,10 @@ template <int D> bool is_deformed(const Model<D>& model) {
 
 template <int D> void begin_contacts(Model<D>& model, const ActiveSetOptions& options) {
   // With another penalty factor a step goes on from its last state, and with the touches that it has foreseen.
+  std::vector<contact::History<D>>& histories = model.present.contacts.own();
   if (model.present.displacement == model.accepted.displacement)
-    for (std::size_t k = 0; k < model.present.contacts.size(); ++k)
-      forget_touches(model.present.contacts[k], model.accepted.contacts[k]);
-  model.active_set.begin(model.system.contacts, model.present.contacts, options);
+    for (std::size_t k = 0; k < histories.size(); ++k) forget_touches(histories[k], model.accepted.contacts[k]);
+  model.active_set.begin(model.system.contacts, histories, options);
 }
 
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \

@@ -33,8 +33,8 @@ template <int D> Model<D>::Model(Scene<D> scene) : Model(std::move(scene), NotSt
   evaluate(*this, {.tangent = false}, why);
   system.commit(present, accepted);
   accepted = present;
-  scene_warnings = check_clearance(system, accepted.contacts);
-  for (Message& warning : model::scene_warnings(system.scene, system.contacts, accepted.contacts))
+  scene_warnings = check_clearance<D>(system, accepted.contacts);
+  for (Message& warning : model::scene_warnings<D>(system.scene, system.contacts, accepted.contacts))
     scene_warnings.push_back(std::move(warning));
   warn_of_joins(system.scene, scene_warnings);
   warn_of_ties(system.scene, system.ties, scene_warnings);
@@ -66,9 +66,8 @@ template <int D> void set_time(Model<D>& model, double time) {
 
 template <int D> void set_contact(Model<D>& model, int contact, const contact::Changes& changes) {
   check_changes(model.system.scene.contacts[contact], changes);
-  auto& history = model.present.contacts[contact];
-  if (history.changes == changes) return;
-  contact::change(history, changes);
+  if (model.present.contacts[contact].changes == changes) return;
+  contact::change(model.present.contacts.own()[contact], changes);
   model.step.reset();
 }
 
@@ -147,7 +146,7 @@ template <int D> Snapshot<D> snapshot(const Model<D>& model) {
 
 template <int D> void restore(Model<D>& model, const Snapshot<D>& snapshot) {
   model.accepted = snapshot.state;
-  for (auto& history : model.accepted.contacts) look_everywhere(history); // the model may have been settled since
+  for (auto& history : model.accepted.contacts.own()) look_everywhere(history); // the model may have been settled since
   model.path = snapshot.path;
   model.linear.begin_with(snapshot.linear);
   rollback(model);

@@ -87,8 +87,9 @@ std::optional<BodyInversion> Assembly<D>::add_bodies_and_evaluate_contacts(const
   };
   std::vector<ContactTask> contact_tasks;
   std::vector<contact::Trial<D>> trials;
+  std::vector<contact::History<D>>& histories = present.contacts.own();
   for (std::size_t k = 0; k < contacts_.size(); ++k) {
-    trials.push_back({present.contacts[k], accepted.contacts[k], controls[k], present.penalty_factor,
+    trials.push_back({histories[k], accepted.contacts[k], controls[k], present.penalty_factor,
                       present.displacement.data() + unknowns_.of_contact(k).extra, present.time - accepted.time});
     for (int part = 0; part < contacts_[k]->parts(); ++part) contact_tasks.push_back({k, part});
   }

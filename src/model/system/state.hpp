@@ -2,6 +2,7 @@
 // State of a model: a plain value. Accepting and restoring a state are assignments.
 
 #include "base/eigen.hpp"
+#include "base/shared_list.hpp"
 #include "contact/point/history.hpp"
 
 namespace signorini::model {
@@ -12,7 +13,8 @@ template <int D> struct State {
   VectorX force;             ///< f_int + f_c of all degrees of freedom in the last evaluation
   double penalty_factor = 1; ///< on all penalty parameters
   double time = 0;           ///< of stages with a duration
-  std::vector<contact::History<D>> contacts;
+  /// Shared, since those of contacts with many points are large, and most states are only kept.
+  SharedList<contact::History<D>> contacts;
   std::vector<std::vector<double>> internal; ///< internal variables of the materials, by body; empty without any
 };
 

@@ -112,14 +112,15 @@ System<D>::System(Scene<D> given)
 
 template <int D> State<D> System<D>::start() const {
   State<D> state{VectorX::Zero(unknowns.dofs()), drives.start(), VectorX::Zero(unknowns.dofs()), 1, 0, {}, {}};
-  for (const auto& contact : contacts) state.contacts.push_back(initial_history(*contact));
+  for (const auto& contact : contacts) state.contacts.own().push_back(initial_history(*contact));
   for (const auto& named : scene.bodies) state.internal.push_back(solid::initial_values(*named.body));
   return state;
 }
 
 template <int D> void System<D>::commit(State<D>& present, const State<D>& accepted) {
+  std::vector<contact::History<D>>& histories = present.contacts.own();
   for (std::size_t k = 0; k < contacts.size(); ++k)
-    contacts[k]->commit(present.contacts[k], accepted.contacts[k], present.penalty_factor);
+    contacts[k]->commit(histories[k], accepted.contacts[k], present.penalty_factor);
 }
 
 template <int D> void System<D>::return_to_accepted(const State<D>& accepted) {
@@ -128,7 +129,8 @@ template <int D> void System<D>::return_to_accepted(const State<D>& accepted) {
 }
 
 template <int D> void System<D>::settle(State<D>& accepted) {
-  for (std::size_t k = 0; k < contacts.size(); ++k) contacts[k]->settle(accepted.contacts[k]);
+  std::vector<contact::History<D>>& histories = accepted.contacts.own();
+  for (std::size_t k = 0; k < contacts.size(); ++k) contacts[k]->settle(histories[k]);
   assembly.forget_contacts();
 }
 
