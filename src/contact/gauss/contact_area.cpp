@@ -262,10 +262,10 @@ private:
 
 template <int D>
 ContactArea contact_area(const Formulation<D>& formulation, const History<D>& history, bool reference, double modulus) {
-  const auto is_closed = [&](std::size_t i) { return history.results[i].state != ContactState::open; };
-  auto points = watched_points(history);
-  if (std::ranges::none_of(points, is_closed)) return {.inside = std::vector<char>(history.results.size())};
-  return AreaInside<D>(formulation, history, reference, modulus).run();
+  for (const std::size_t i : watched_points(history))
+    if (history.results[i].state != ContactState::open)
+      return AreaInside<D>(formulation, history, reference, modulus).run();
+  return {.inside = std::vector<char>(history.results.size())};
 }
 
 template ContactArea contact_area(const Formulation<2>&, const History<2>&, bool, double);

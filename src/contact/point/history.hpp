@@ -6,7 +6,7 @@
 #include "contact/point/local.hpp"
 
 #include <algorithm>
-#include <ranges>
+#include <iterator>
 
 namespace signorini::contact {
 
@@ -135,11 +135,36 @@ template <int D> bool is_watched(const History<D>& history, std::size_t i) {
   const auto after = std::ranges::upper_bound(history.watched, i, {}, &PointRange::first);
   return after != history.watched.begin() && i < std::prev(after)->last;
 }
-/// The numbers of all watched points.
-template <int D> auto watched_points(const History<D>& history) {
-  return history.watched |
-         std::views::transform([](const PointRange& range) { return std::views::iota(range.first, range.last); }) |
-         std::views::join;
+/// The numbers of all watched points, for loops. (Clang 14 cannot compile the views of libstdc++ 12.)
+class WatchedPoints {
+public:
+  explicit WatchedPoints(const std::vector<PointRange>& ranges)
+      : first_(ranges.data()), last_(ranges.data() + ranges.size()) {}
+
+  struct Iterator {
+    const PointRange *range, *last;
+    std::size_t i = range != last ? range->first : 0;
+
+    std::size_t operator*() const { return i; }
+    bool operator!=(std::default_sentinel_t) const { return range != last; }
+    Iterator& operator++() {
+      ++i;
+      return skip_ends();
+    }
+    Iterator& skip_ends() {
+      while (range != last && i == range->last)
+        if (++range != last) i = range->first;
+      return *this;
+    }
+  };
+  Iterator begin() const { return Iterator{first_, last_}.skip_ends(); }
+  std::default_sentinel_t end() const { return {}; }
+
+private:
+  const PointRange *first_, *last_;
+};
+template <int D> WatchedPoints watched_points(const History<D>& history) {
+  return WatchedPoints(history.watched);
 }
 /// Adds a range behind all watched ones.
 template <int D> void watch(History<D>& history, const PointRange& next) {
