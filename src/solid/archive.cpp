@@ -80,14 +80,17 @@ Material read(ArchiveReader& from, std::type_identity<Material>) {
 }
 
 template <int D> void write(ArchiveWriter& to, const Body<D>& body) {
-  to.put(body.space(), body.material(), body.kind(), body.volumetric());
+  to.put(body.space(), body.material(), body.kind(), body.volumetric(), body.density());
 }
 
 template <int D> std::shared_ptr<const Body<D>> read_body(ArchiveReader& from) {
   auto space = std::make_shared<const nurbs::Discretization>(from.get<nurbs::Discretization>());
   const Material material = read(from, std::type_identity<Material>());
   const auto kind = from.get<Kind>();
-  return std::make_shared<const Body<D>>(std::move(space), material, kind, from.get<Volumetric>());
+  const auto volumetric = from.get<Volumetric>();
+  const double density = from.get<double>();
+  require(density > 0 && std::isfinite(density), "solid.archive.density", {{"density", density}});
+  return std::make_shared<const Body<D>>(std::move(space), material, kind, volumetric, density);
 }
 
 template void write(ArchiveWriter&, const Body<2>&);

@@ -3,8 +3,9 @@
 namespace signorini::solid {
 
 template <int D>
-Body<D>::Body(std::shared_ptr<const nurbs::Discretization> space, Material material, Kind kind, Volumetric volumetric)
-    : space_(std::move(space)), material_(std::move(material)), kind_(kind), volumetric_(volumetric),
+Body<D>::Body(std::shared_ptr<const nurbs::Discretization> space, Material material, Kind kind, Volumetric volumetric,
+              double density)
+    : space_(std::move(space)), material_(std::move(material)), kind_(kind), volumetric_(volumetric), density_(density),
       tables_(*space_, material_, kind, volumetric),
       macros_(volumetric == Volumetric::projected ? solid::macro_elements(*space_, tables_) : MacroElements()) {}
 
@@ -24,11 +25,13 @@ template <int D> VectorX reference_point(const Body<D>& body, int e, int q) {
 }
 
 std::shared_ptr<const Body<2>> revolved(const Body<2>& body) {
-  return std::make_shared<const Body<2>>(body.shared_space(), body.material(), Kind::axisymmetric, body.volumetric());
+  return std::make_shared<const Body<2>>(body.shared_space(), body.material(), Kind::axisymmetric, body.volumetric(),
+                                         body.density());
 }
 
 std::shared_ptr<const Body<2>> in_plane_stress(const Body<2>& body) {
-  return std::make_shared<const Body<2>>(body.shared_space(), body.material(), Kind::plane_stress, body.volumetric());
+  return std::make_shared<const Body<2>>(body.shared_space(), body.material(), Kind::plane_stress, body.volumetric(),
+                                         body.density());
 }
 
 template class Body<2>;

@@ -20,7 +20,7 @@ template <int D> class Body {
 public:
   /// Throws Error as GaussTables does.
   Body(std::shared_ptr<const nurbs::Discretization> space, Material material, Kind kind = Kind::plane_strain,
-       Volumetric volumetric = Volumetric::pointwise);
+       Volumetric volumetric = Volumetric::pointwise, double density = 1);
   Body(nurbs::Discretization space, Material material);
 
   const nurbs::Discretization& space() const { return *space_; }
@@ -28,6 +28,8 @@ public:
   const Material& material() const { return material_; }
   Kind kind() const { return kind_; }
   Volumetric volumetric() const { return volumetric_; }
+  /// Mass per reference volume.
+  double density() const { return density_; }
   /// True if forces are linear in displacements: the tangent is constant.
   bool linear() const { return material_.linear(); }
   /// Number of internal variables of the material per Gauss point; their values are stored by the caller.
@@ -54,6 +56,7 @@ private:
   Material material_;
   Kind kind_;
   Volumetric volumetric_;
+  double density_;
   GaussTables<D> tables_;
   MacroElements macros_;
 };
@@ -61,10 +64,10 @@ private:
 /// Reference position of Gauss point q of element e.
 template <int D> VectorX reference_point(const Body<D>& body, int e, int q);
 
-/// The body of revolution about x = 0 with the same meridian, space and material.
+/// The body of revolution about x = 0 with the same meridian, space, material and density.
 std::shared_ptr<const Body<2>> revolved(const Body<2>& body);
 
-/// The body of unit thickness under plane stress with the same shape, space and material.
+/// The body of unit thickness under plane stress with the same shape, space, material and density.
 std::shared_ptr<const Body<2>> in_plane_stress(const Body<2>& body);
 
 } // namespace signorini::solid

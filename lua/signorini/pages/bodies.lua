@@ -79,6 +79,8 @@ about half of the time, but locks in bending and for nu near 0.5]], otherwise = 
       { "volumetric", t.choice { "pointwise", "projected" }, [[Volume change of each point, or its projection on
 polynomials of one degree less in macro-elements of p elements per direction: nothing locks for nu near 0.5, at
 the cost of larger coupled groups. Not for plane stress]], otherwise = '"pointwise"' },
+      { "density", t.positive, [[mass per volume of the undeformed body, for model:modes; in the plane per unit
+depth]], default = 1, unit = "mass per volume" },
       { "grading", patch_types.grading, "where elements are concentrated; false: uniform",
         otherwise = "uniform elements" },
     },

@@ -183,10 +183,10 @@ void check_size(const nurbs::Plan& plan, int dimensions) {
 template <int D> int push_body(lua_State* L, const nurbs::Patch& patch, const nurbs::Plan& plan, const Arguments& a) {
   const auto volumetric =
       choice<solid::Volumetric>(a.get("volumetric", std::string("pointwise")), {"pointwise", "projected"});
-  const auto& made =
-      push_object<Body<D>>(L, std::make_shared<const solid::Body<D>>(
-                                  std::make_shared<const nurbs::Discretization>(patch, plan),
-                                  a.object<solid::Material>("material"), solid::Kind::plane_strain, volumetric));
+  const auto& made = push_object<Body<D>>(
+      L, std::make_shared<const solid::Body<D>>(std::make_shared<const nurbs::Discretization>(patch, plan),
+                                                a.object<solid::Material>("material"), solid::Kind::plane_strain,
+                                                volumetric, a.get("density", 1.0)));
   nurbs::check_folds(patch);
   count_memory(L, static_cast<double>(made->memory()));
   return 1;

@@ -182,7 +182,7 @@ std::shared_ptr<Model<D>> with_layers(const Model<D>& model, const std::vector<n
     if (!recipe || recipe->plan.raised == layers[b]) continue;
     auto space = std::make_shared<const Discretization>(nurbs::with_layer(present->space(), layers[b]));
     bodies.back() = std::make_shared<const solid::Body<D>>(std::move(space), present->material(), present->kind(),
-                                                           present->volumetric());
+                                                           present->volumetric(), present->density());
   }
   return with_bodies(model, bodies);
 }

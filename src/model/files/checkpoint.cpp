@@ -23,7 +23,7 @@ namespace model {
 
 namespace {
 
-const ArchiveKind kind{"checkpoint", 12, 12};
+const ArchiveKind kind{"checkpoint", 13, 13};
 
 using Parts = std::vector<ScenePart>;
 
