@@ -15,6 +15,9 @@ inline constexpr double least_single_pivot = 1e-5;
 /// Largest |a_ij − a_ji| of a symmetric matrix, relative to max|a|: rounding error of long sums, far below any
 /// friction.
 inline constexpr double symmetry_tolerance = 1e-9;
+/// Largest ‖b − K x‖ / ‖b‖ with L D Lᵀ without pivoting whose signs count: growth of rounding errors by 1e8 is far from
+/// changing a sign, unless an eigenvalue is zero.
+inline constexpr double reliable_factors = 1e-8;
 /// Largest ‖b − K x‖ / ‖b‖ with the pivots of an earlier matrix: with its own pivots about 1e-12 is reached, and
 /// Newton's corrections need few digits.
 inline constexpr double refactored_residual = 1e-8;

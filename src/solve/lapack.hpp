@@ -30,5 +30,9 @@ void dpotrf_(const char* triangle, const int* size, double* a, const int* leadin
 /// Eigenvalues, increasing, and in place of the matrix the eigenvectors of a dense symmetric one.
 void dsyev_(const char* vectors, const char* triangle, const int* size, double* a, const int* leading, double* values,
             double* work, const int* work_size, int* info);
+/// Eigenvalues, real and imaginary parts, and left and right eigenvectors of a dense matrix, which it overwrites.
+void dgeev_(const char* left_vectors, const char* right_vectors, const int* size, double* a, const int* leading,
+            double* real, double* imaginary, double* left, const int* leading_left, double* right,
+            const int* leading_right, double* work, const int* work_size, int* info);
 }
 // NOLINTEND(readability-identifier-naming)

@@ -1,5 +1,5 @@
 // The stiffness of displacements that conditions constrain, against the inverse of the dense matrix.
-#include "model/warnings/displacement_stiffness.hpp"
+#include "model/stability/displacement_stiffness.hpp"
 
 #include "base/eigen.hpp"
 #include "model/constants.hpp"

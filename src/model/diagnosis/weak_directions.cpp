@@ -1,7 +1,5 @@
 #include "model/diagnosis/weak_directions.hpp"
 
-#include "base/orthonormal.hpp"
-#include "solve/least_eigenpair.hpp"
 #include "solve/values.hpp"
 
 #include <algorithm>
@@ -18,53 +16,41 @@ double largest_entry(const solve::Pattern& pattern, const std::vector<double>& v
   return largest;
 }
 
-/// Deterministic start vectors without preferred direction.
-MatrixX start_vectors(int size, int count) {
-  MatrixX x(size, count);
-  for (int j = 0; j < count; ++j)
-    for (int i = 0; i < size; ++i) x(i, j) = std::sin(1.0 + 0.7 * (i + 1) * (j + 1) + 0.01 * i * i);
-  return x;
+/// 1 for each displacement. Multipliers have no inertia: where they follow the displacements, inverse iteration
+/// converges to the eigenvectors of the constrained displacements.
+std::vector<double> unit_mass(const solve::Pattern& pattern, int displacements) {
+  std::vector<double> mass(static_cast<std::size_t>(pattern.entries()), 0.0);
+  for (int i = 0; i < displacements; ++i) mass[pattern.find(i, i)] = 1;
+  return mass;
 }
 
-/// Ritz pair with the lowest value in the space obtained by inverse iteration of `matrix`. `only_negative`: not
-/// computed if the solver finds no negative eigenvalue.
-WeakDirection iterate(solve::LinearKind kind, const solve::Pattern& pattern, const std::vector<double>& matrix,
+/// The pair with the lowest value in the space of `count` vectors after some rounds. `only_negative`: not computed if
+/// the solver finds no negative eigenvalue.
+WeakDirection iterate(solve::LinearKind kind, const solve::Pattern& pattern, std::vector<double> matrix, bool symmetric,
                       int displacements, int count, int rounds, bool only_negative) {
   constexpr double relative_shift = 1e-12; // makes a singular matrix regular
-  const std::vector<double> regular = shifted(pattern, matrix, relative_shift * largest_entry(pattern, matrix));
-  const auto solver = solve::make_solver(kind, pattern);
-  count = std::min(count, displacements);
-  // Multipliers have no inertia: where they follow the displacements, inverse iteration of diag(K, 0) converges to the
-  // eigenvectors of the constrained displacements.
-  const auto without_multipliers = [&](MatrixX y) {
-    y.bottomRows(pattern.size - displacements).setZero();
-    return orthonormal(std::move(y));
-  };
-  MatrixX x = without_multipliers(start_vectors(pattern.size, count));
-  if (!solver->factor(regular.data())) return {VectorX::Zero(pattern.size), 0};
-  const int counted = solver->statistics().negative;
-  std::optional<int> negative;
-  if (counted >= 0 && displacements == pattern.size) negative = counted;
-  if (only_negative && negative == 0) return {VectorX::Zero(pattern.size), 0, negative};
-  for (int round = 0; round < rounds; ++round) {
-    for (int j = 0; j < count; ++j)
-      if (!solver->solve(x.col(j).data())) return {VectorX::Zero(pattern.size), 0};
-    x = without_multipliers(std::move(x));
-  }
-  const MatrixX small = x.transpose().lazyProduct(times(pattern, matrix, x));
-  const auto [value, vector] = solve::least_eigenpair(0.5 * (small + small.transpose()));
-  return {x.lazyProduct(vector), value, negative};
+  const double shift = relative_shift * largest_entry(pattern, matrix);
+  SubspaceIteration iteration(
+      kind, {pattern, shifted(pattern, std::move(matrix), shift), unit_mass(pattern, displacements), symmetric},
+      std::min(count, displacements));
+  WeakDirection weak{VectorX::Zero(pattern.size), 0};
+  if (!iteration.shift(0)) return weak;
+  if (iteration.negative() >= 0 && displacements == pattern.size) weak.negative = iteration.negative();
+  if (only_negative && weak.negative == 0) return weak;
+  for (int round = 0; round < rounds; ++round)
+    if (!iteration.advance()) return weak;
+  constexpr double converged = 0.1; // others may have any value
+  const RitzPairs& pairs = iteration.pairs();
+  Eigen::Index least = 0;
+  if (pairs.values.size() == 0) return weak;
+  for (Eigen::Index k = 1; k < pairs.values.size(); ++k)
+    if (pairs.errors(k) < converged && pairs.values(k).real() < pairs.values(least).real()) least = k;
+  weak.stiffness = pairs.values(least).real() - shift;
+  weak.direction.head(displacements) = pairs.vectors.col(least).head(displacements).normalized();
+  return weak;
 }
 
 } // namespace
-
-MatrixX times(const solve::Pattern& pattern, const std::vector<double>& values, const MatrixX& x) {
-  MatrixX product = MatrixX::Zero(x.rows(), x.cols());
-  for (int j = 0; j < pattern.size; ++j)
-    for (int k = pattern.starts[j]; k < pattern.starts[j + 1]; ++k)
-      product.row(pattern.rows[k]) += values[k] * x.row(j);
-  return product;
-}
 
 std::vector<double> shifted(const solve::Pattern& pattern, std::vector<double> values, double shift) {
   for (int i = 0; i < pattern.size; ++i) values[pattern.find(i, i)] += shift;
@@ -73,12 +59,12 @@ std::vector<double> shifted(const solve::Pattern& pattern, std::vector<double> v
 
 WeakDirection null_direction(const solve::Pattern& pattern, const std::vector<double>& values, int displacements,
                              solve::LinearKind solver) {
-  return iterate(solver, pattern, values, displacements, 1, 6, false);
+  return iterate(solver, pattern, values, false, displacements, 1, 6, false);
 }
 
 WeakDirection softest_direction(const solve::Pattern& pattern, const std::vector<double>& values, int displacements,
                                 solve::LinearKind solver) {
-  return iterate(solver, pattern, solve::symmetrized(pattern, values), displacements, 8, 12, true);
+  return iterate(solver, pattern, solve::symmetrized(pattern, values), true, displacements, 8, 12, true);
 }
 
 } // namespace signorini::model

@@ -1,23 +1,19 @@
 #pragma once
 // Directions of smallest stiffness of a tangent.
 
-#include "base/eigen.hpp"
-#include "solve/linear.hpp"
+#include "model/stability/subspace_iteration.hpp"
 
 #include <optional>
 #include <vector>
 
 namespace signorini::model {
 
-/// K x for each column of x; `values` in the order of the pattern.
-MatrixX times(const solve::Pattern& pattern, const std::vector<double>& values, const MatrixX& x);
-
 /// The values of K + σ I.
 std::vector<double> shifted(const solve::Pattern& pattern, std::vector<double> values, double shift);
 
 struct WeakDirection {
   VectorX direction; ///< by unknown, of length 1
-  double stiffness;  ///< uᵀ K u
+  double stiffness;  ///< κ of K u = κ u
   /// Number of negative eigenvalues of the symmetric part, if the solver counts them and there are no multipliers.
   std::optional<int> negative = {};
 };

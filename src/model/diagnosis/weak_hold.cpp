@@ -2,7 +2,7 @@
 
 #include "base/orthonormal.hpp"
 #include "model/steps/equilibrium.hpp"
-#include "solve/least_eigenpair.hpp"
+#include "solve/eigenpairs.hpp"
 
 #include <algorithm>
 

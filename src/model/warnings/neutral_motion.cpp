@@ -4,7 +4,7 @@
 #include "model/checks/outline.hpp"
 #include "model/constants.hpp"
 #include "model/system/damping.hpp"
-#include "solve/least_eigenpair.hpp"
+#include "solve/eigenpairs.hpp"
 
 #include <algorithm>
 #include <cmath>

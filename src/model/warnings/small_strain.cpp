@@ -3,7 +3,7 @@
 #include "model/constants.hpp"
 #include "model/results/results.hpp"
 #include "solid/internal.hpp"
-#include "solve/least_eigenpair.hpp"
+#include "solve/eigenpairs.hpp"
 
 #include <Eigen/LU>
 

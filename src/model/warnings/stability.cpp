@@ -3,10 +3,9 @@
 #include "model/checks/constants.hpp"
 #include "model/constants.hpp"
 #include "model/diagnosis/weak_directions.hpp"
+#include "model/stability/inertia.hpp"
 #include "model/steps/equilibrium.hpp"
-#include "model/warnings/displacement_stiffness.hpp"
 #include "model/warnings/neutral_motion.hpp"
-#include "solve/definite.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -44,13 +43,6 @@ Stiffness scaled(Stiffness k, const VectorX& d) {
 
 Stiffness shifted(const Stiffness& k, double shift) {
   return {k.pattern, model::shifted(k.pattern, k.values, shift)};
-}
-
-/// By CHOLMOD, or by MUMPS if the tangents of the path are too large for one process.
-bool is_definite(const Stiffness& k, solve::LinearKind kind) {
-  if (kind != solve::LinearKind::mumps) return solve::is_positive_definite(k.pattern, k.values);
-  const auto solver = solve::make_solver(kind, k.pattern);
-  return solver->factor(k.values.data()) && solver->statistics().negative == 0;
 }
 
 /// The eigenvector with the most negative eigenvalue λ of a symmetric K: with the shift s > −λ at which K + s I becomes
@@ -122,18 +114,6 @@ template <int D> Message described(System<D>& system, const VectorX& direction) 
   return found;
 }
 
-/// The sizes of multipliers that displacement_stiffness() lumps: those of contacts whose multipliers are unknowns.
-template <int D> std::vector<int> multiplier_sizes(const System<D>& system) {
-  std::vector<int> sizes(system.unknowns.dofs() - system.unknowns.displacements(), 0);
-  for (std::size_t k = 0; k < system.contacts.size(); ++k) {
-    const auto& law = system.contacts[k]->parameters().law;
-    if (!law || law->enforcement != contact::Enforcement::multipliers) continue;
-    const auto first = sizes.begin() + (system.unknowns.of_contact(k).extra - system.unknowns.displacements());
-    std::fill_n(first, system.contacts[k]->extra_unknowns(), contact::may_rub(*law) ? D : 1);
-  }
-  return sizes;
-}
-
 } // namespace
 
 template <int D> void warn_of_instability(Model<D>& model, std::vector<Message>& warnings) {
@@ -150,8 +130,8 @@ template <int D> void warn_of_instability(Model<D>& model, std::vector<Message>&
   const bool evaluated =
       evaluate(model, {.initial = {gap_rounding * largest_position(model)}}, why) == solve::Outcome::converged;
   if (evaluated && model.linear.proves_definite(tangent_of(system.assembly))) return rollback(model);
-  const Stiffness k = displacement_stiffness(system.assembly.tangent().pattern, system.assembly.tangent().values,
-                                             displacements, multiplier_sizes(system));
+  const Stiffness k =
+      displacement_stiffness(system, system.assembly.tangent().pattern, system.assembly.tangent().values);
   rollback(model);
   if (!evaluated || std::ranges::all_of(k.values, [](double value) { return value == 0; })) return;
   const bool by_mumps = model.linear.kind() == solve::LinearKind::mumps;

@@ -1,4 +1,4 @@
-#include "model/warnings/displacement_stiffness.hpp"
+#include "model/stability/displacement_stiffness.hpp"
 
 #include "model/constants.hpp"
 #include "solve/dense_factors.hpp"
