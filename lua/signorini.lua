@@ -53,7 +53,8 @@ local defined_in = { study = "signorini.study.study", patch_list = "signorini.sc
                      comparison = "signorini.study.work_precision",
                      map = "signorini.study.convergence_map", gradients = "signorini.gradients.gradients",
                      fit = "signorini.inverse.fit_result", optimum = "signorini.inverse.optimum",
-                     series = "signorini.output.pvd" }
+                     series = "signorini.output.pvd", modes = "signorini.run.modes",
+                     mode = "signorini.run.modes" }
 setmetatable(types, { __index = function(_, name)
   if not defined_in[name] then return nil end
   require(defined_in[name])
@@ -64,6 +65,7 @@ end, __pairs = function()
 end })
 
 types.model.run = require "signorini.run.run"
+types.model.modes = later "signorini.run.modes"
 types.model.cost = require "signorini.run.cost"(types.model.cost)
 local energies, profiles, resultants = types.model.energy, types.model.profile, types.model.contact_resultant
 local named = require "signorini.call.named"
@@ -83,7 +85,7 @@ sg.robust = require("signorini.run.controls").robust
 sg.plain = require("signorini.run.controls").plain
 
 local methods = require "signorini.call.methods"
-methods.guard("model", "run cost energy profile contact_resultant show")
+methods.guard("model", "run modes cost energy profile contact_resultant show")
 methods.guard("state", "show")
 methods.guard("patch", "show")
 methods.guard("picture", "show")

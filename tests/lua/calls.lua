@@ -45,6 +45,8 @@ function make.patch_list() return sg.shapes.disc{ radius = 1 } end
 function make.compound()
   return sg.body { patch = { make.patch() }, elements = { 2, 2 }, order = "N2", material = make.material() }
 end
+function make.modes() return make.model():modes { count = 1 } end
+function make.mode() return make.modes()[1] end
 function make.snapshot() return make.model():snapshot() end
 function make.run() return make.model():run { { steps = 1, bed = 0.01 } } end
 function make.gradients()

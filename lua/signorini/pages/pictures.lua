@@ -86,6 +86,10 @@ range, cut, crop, file.]],
       "Contents, one of these, or states below:",
       { "model", t.object "model", "shows its current state", optional = true },
       { "state", t.object "state", "an entry of run:states()", optional = true, excludes = { "states", "patch" } },
+      of_models { "mode", t.object "mode", [[an entry of model:modes, by which the state is displaced; fields are those
+of the displaced state]], optional = true },
+      of_models { "amplitude", t.number, "longest displacement of a control point by the mode", unit = "length",
+                  otherwise = "a tenth of the size of the bodies", needs = { "mode" } },
       { "patch", patch_types.one_or_several,
         "patches in gray, all in the plane or all in 3D", optional = true, excludes = { "model" } },
       "Several states or fields:",
@@ -218,8 +222,8 @@ given. Without a terminal `file` is needed.]],
     example = [[run:states()[2]:show{ field = "uy", file = "state.png" }]] },
   { "patch:show", [[Shows a patch in the terminal, as sg.picture draws it, and writes it to `file` if given. Without a
 terminal `file` is needed.]],
-    named = rows_without(picture, [[model state patch states fields columns fps field factor label range contours
-bar colormap bodies deformed undeformed vectors obstacles mirror cut]]), head = "patch:show{ … }",
+    named = rows_without(picture, [[model state mode amplitude patch states fields columns fps field factor label range
+contours bar colormap bodies deformed undeformed vectors obstacles mirror cut]]), head = "patch:show{ … }",
     may_be_empty = true, as_given = true,
     example = [[patch:show{ control_points = true, file = "patch.png" }]] },
 }))

@@ -135,6 +135,40 @@ reference position of the last of them. Reading any other field is an error.]],
       "active slipping unsettled crossed flawed?", t.integer(0), "per", t.text, "flaw?", t.text,
       "unsettled_at? crossed_at? flawed_at?", t.point),
     example = "model:contact_resultant(\"interface\").area" },
+  { "model:modes", [[Returns the free vibration modes of the accepted state with the lowest values, and whether the
+state is stable. A small motion about it is a sum of modes, mode * cos(2 pi frequency t); one with a negative value
+grows, mode * exp(growth t): the state is unstable, and does not exist in reality. The bodies' density scales
+values, but does not change signs.]],
+    named = { { "count", t.integer(1, 1000), "how many", default = 6 } }, may_be_empty = true,
+    more = [[
+Value: K mode = value M mode with the tangent K of loads that follow the deformation, springs, ties and contacts, and
+the mass M: (2 pi frequency)^2, in 1/time^2 of the units of density, length and force (with E in N/mm^2 and density in
+t/mm^3: frequency in Hz). Closed contact points hold, open ones do not, points with friction stick; bonds and materials
+that soften do not soften on. Obstacles have no mass. Rigid motions that nothing resists have the value 0 and are named;
+the others begin with bending or swaying in most cases. Theory and accuracy: share/doc/reference/theory.md.]],
+    returns = t.object "modes", example = { "print(model:modes{ count = 4 })", [[
+modes = model:modes{}
+sg.picture{ model = model, mode = modes[1], undeformed = true, file = "mode.png" }]] } },
+  { "modes", [[The result of model:modes, a list of modes by increasing value; print shows it with the verdict and the
+warnings.]],
+    fields = {
+      { "stable", t.or_nil(t.flag), [[whether all small motions stay small, except for rigid ones that nothing resists;
+nil: undecided. If the tangent is not symmetric, true means that no motion grows steadily; growing oscillations are
+excluded of the listed modes only]] },
+      { "complete", t.or_nil(t.flag), "whether no mode below the last one is missing; nil: undecided" },
+      { "symmetric", t.flag, [[whether the tangent is. It is not with friction that slips and with pressures that follow
+faces whose borders move; then values may be complex]] },
+      { "warnings", t.list(t.text), "sentences about what the modes do not tell" } } },
+  { "mode", "An entry of model:modes, for sg.picture.",
+    fields = {
+      { "value", t.number, "(2 pi frequency)^2; negative: -growth^2" },
+      { "frequency", t.or_nil(t.number), "oscillations per time; nil if the motion grows without oscillating" },
+      { "growth", t.or_nil(t.number), "the motion grows by a factor of e in 1/growth; nil if it does not grow" },
+      { "imaginary", t.or_nil(t.number), [[imaginary part of a complex value, whose modes come in pairs: real and
+imaginary part of the motion]] },
+      { "mode", t.numbers(nil, true), [[displacement of each unknown, in the order of model:unknowns; the longest of a
+control point is 1]] },
+      { "rigid", t.or_nil(t.text), "the bodies and the direction or axis of a rigid motion" } } },
   { "model:tie_profile", [[Returns lists along the slave face of a tie, one entry per quadrature point opposite the
 master: x, y (current), X, Y (reference), area (reference area with the point's weight), tx, ty (traction of the master
 on the slave per reference area), pressure (its part against the slave's current normal, negative in tension), traction

@@ -18,6 +18,7 @@ void open_scene(lua_State* L);      ///< sg.model
 void open_model(lua_State* L);      ///< the model type, methods for its parts and about its cost, snapshots
 void open_path(lua_State* L);       ///< its methods for the load path and for Newton's method
 void open_changes(lua_State* L);    ///< model:set_contact and its checks
+void open_modes(lua_State* L);      ///< core.modes
 void open_results(lua_State* L);    ///< its methods for the present state
 void open_checkpoint(lua_State* L); ///< sg.load, core.save, core.content and others
 void open_adaptation(lua_State* L); ///< core.follow and others: layers that follow the contact

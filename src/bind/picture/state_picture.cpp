@@ -4,6 +4,7 @@
 #include "bind/lua/number_text.hpp"
 #include "bind/model/model.hpp"
 #include "figure/frame.hpp"
+#include "model/system/free_angles.hpp"
 
 #include <numeric>
 
@@ -174,6 +175,31 @@ template <int D> std::string read_label(const Arguments& a, const Showing& showi
   return showing.factor == 1 ? name : number_text(showing.factor) + " × " + name;
 }
 
+/// Displaces a model's present state by a mode, if there is one, until destroyed.
+template <int D> class Displaced {
+public:
+  Displaced(const Arguments& a, Model<D> model) : model_(std::move(model)), before_(model_->present.displacement) {
+    if (!a.has("mode")) return;
+    if (!a.get<bool>("deformed"))
+      a.fail("mode displaces the present state, which deformed = false hides: remove one of the two");
+    const auto& system = model_->system;
+    const auto shape = a.table("mode").get<VectorX>("mode");
+    if (shape.size() != system.unknowns.free_displacements()) a.refuse("mode", "a mode of this model");
+    VectorX mode = VectorX::Zero(system.unknowns.size());
+    mode.head(shape.size()) = a.get("amplitude", default_amplitude * system.extent) * shape;
+    model_->present.displacement += system.unknowns.spread(mode);
+    model::follow_angles(system.unknowns, model_->present.displacement);
+  }
+  ~Displaced() { model_->present.displacement = before_; }
+  Displaced(const Displaced&) = delete;
+  Displaced& operator=(const Displaced&) = delete;
+
+private:
+  static constexpr double default_amplitude = 0.1; ///< relative to the bodies
+  Model<D> model_;
+  VectorX before_;
+};
+
 template <int D>
 Picture read_model(const Arguments& a, const Model<D>& model, const std::string& field, const std::string& title,
                    const std::array<int, 2>& size) {
@@ -191,6 +217,7 @@ Picture read_model(const Arguments& a, const Model<D>& model, const std::string&
   StatePicture picture = read_view(a, showing, D == 3, cut, size);
   picture.options.field_label = read_label<D>(a, showing);
   if (picture.inset) picture.inset->field_label = picture.options.field_label;
+  const Displaced<D> displaced(a, model);
   picture.panel = figure::show(*model, showing, cut);
   return finished(a, std::move(picture), title, showing.bodies.size(), "body", "bodies");
 }

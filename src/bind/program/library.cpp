@@ -143,10 +143,11 @@ void open_library(lua_State* L, const Settings& settings) {
 
   word_warnings();
   if (settings.pictures) terminal::set_protocol(*settings.pictures);
-  for (auto* open : {open_core,   open_algebra, open_jobs,     open_json,    open_patch,      open_curves,
-                     open_shapes, open_symbols, open_material, open_body,    open_rigid,      open_scene,
-                     open_model,  open_path,    open_changes,  open_results, open_checkpoint, open_adaptation,
-                     open_chart,  open_heatmap, open_picture,  open_screen,  open_vtu,        open_hdf5})
+  for (auto* open :
+       {open_core,    open_algebra,  open_jobs,    open_json,       open_patch,      open_curves, open_shapes,
+        open_symbols, open_material, open_body,    open_rigid,      open_scene,      open_model,  open_path,
+        open_changes, open_modes,    open_results, open_checkpoint, open_adaptation, open_chart,  open_heatmap,
+        open_picture, open_screen,   open_vtu,     open_hdf5})
     open(L);
 
   push_table(L, "core");

@@ -42,6 +42,8 @@ die, slab = model:body "die", model:body "slab"
 patch = sg.shapes.rectangle{ width = 3, height = 1 }
 run = model:run(stages)
 files = sg.files "out/press"
+modes = model:modes{ count = 2 }
+mode = modes[1]
 finer = press("N2-N2.2", 2)
 finer:run(stages)
 

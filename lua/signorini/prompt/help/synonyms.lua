@@ -80,9 +80,10 @@ rotations.]], "sg.linear_elastic", "sg.hyperelastic" },
   { "cad, step file, iges, abaqus, stl, gmsh, import, mesh import, import mesh, inp file, orphan mesh", [[Geometry is
 read from NURBS files of G+Smo, GeoPDEs and MFEM; other CAD and mesh files are not supported.]], "sg.nurbs.read" },
   -- Solution
-  { "dynamics, dynamic, inertia, transient, explicit, vibration, modal, eigenvalue, buckling", [[Analyses are
-quasi-static; dynamics and eigenvalue analyses are not available. Arc length follows paths past limit points.]],
-    "model:run" },
+  { "dynamics, dynamic, inertia, transient, explicit", [[Analyses are quasi-static; dynamics is not available. Arc
+length follows paths past limit points; model:modes returns free vibrations.]], "model:run", "model:modes" },
+  { "vibration, modal, natural frequency, eigenfrequency, eigenvalue, buckling, flutter", [[model:modes returns the free
+vibration modes of a state, under load and in contact, and tells whether it is stable.]], "model:modes" },
   { "convergence, diverges, does not converge, not converging", [[A failed run states the reason and possible remedies
 in run.failure; sg.robust{} lists the default controls.]], "model:run", "run", "model:diagnose", "sg.robust",
     "sg.convergence_map" },
