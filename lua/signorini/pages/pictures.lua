@@ -86,10 +86,6 @@ range, cut, crop, file.]],
       "Contents, one of these, or states below:",
       { "model", t.object "model", "shows its current state", optional = true },
       { "state", t.object "state", "an entry of run:states()", optional = true, excludes = { "states", "patch" } },
-      of_models { "mode", t.object "mode", [[an entry of model:modes, by which the state is displaced; fields are those
-of the displaced state]], optional = true },
-      of_models { "amplitude", t.number, "longest displacement of a control point by the mode", unit = "length",
-                  otherwise = "a tenth of the size of the bodies", needs = { "mode" } },
       { "patch", patch_types.one_or_several,
         "patches in gray, all in the plane or all in 3D", optional = true, excludes = { "model" } },
       "Several states or fields:",
@@ -121,6 +117,10 @@ range; or a list of levels]], otherwise = "none", needs = { "field", "fields" } 
                   otherwise = "none", needs = { "field", "fields" } },
       of_models { "deformed", t.flag, "current shape; false: reference shape", default = true },
       of_models { "undeformed", t.flag, "also the reference shape, dashed, in 3D also translucent", default = false },
+      of_models { "mode", t.object "mode", [[an entry of model:modes, by which the state is displaced; fields are those
+of the displaced state]], optional = true },
+      of_models { "amplitude", t.number, "longest displacement of a control point by the mode", unit = "length",
+                  otherwise = "a tenth of the size of the bodies", needs = { "mode" } },
       { "mesh", t.flag, "element boundaries", default = true },
       { "control_points", t.flag, "control points and control net", default = false },
       of_models { "vectors", t.choice { "displacement", "traction" }, [[arrows: displacements at points of a grid, or

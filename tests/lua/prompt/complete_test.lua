@@ -49,7 +49,7 @@ check.case("named arguments where they are possible, without those given", funct
   check.equal(all "sg.body{ m", { "material = " })
   check.equal(all "sg.body{ patch = sg.shapes.block{ size = {1, 2, 3} },\n  elements = {1, 1}, ",
     { "order = ", "contact = ", "layer = ", "layer_knots = ", "material = ", "thickness_degree = ", "volumetric = ",
-      "grading = " })
+      "density = ", "grading = " })
   check.equal(all "x = sg.body{ patch = sg.shapes.rectangle{ w", { "width = " })
   check.equal(all "sg.cheapest(study, { at", { "at_most = " })
   check.equal(all "patch:refine{ ele", { "elements = " })

@@ -184,8 +184,8 @@ check.case("invalid files are errors at the user's line, with a hint", function(
     write(good:sub(1, at - 1) .. string.char(good:byte(at) ~ 16) .. good:sub(at + 1))
     refused "is damaged: its checksum is wrong"
   end
-  write(good:gsub("^(SIGNORINI checkpoint\n)\12", "%1\13"))
-  refused "was written by a newer version of the program, in format 13; this one reads formats up to 12"
+  write(good:gsub("^(SIGNORINI checkpoint\n)\13", "%1\14"))
+  refused "was written by a newer version of the program, in format 14; this one reads formats up to 13"
   os.remove(file)
   refused("cannot read", "No such file")
   check.fails(function() model:save "nowhere/at/all.sgn" end, "checkpoint_test.lua:",
