@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace signorini::model {
 
@@ -73,9 +72,8 @@ public:
   }
 
   bool has_converged(const RitzPairs& pairs, int count) const {
-    for (int k = 0; k < count; ++k) {
+    for (int k = 0; k < count; ++k)
       if (!(pairs.errors(k) <= std::max(accuracy, rounding(pairs, k) / distance(pairs, k)))) return false;
-    }
     return true;
   }
 
@@ -205,6 +203,13 @@ template <int D> std::vector<Message> take_rigid_motions(Model<D>& model, const 
   return all;
 }
 
+/// True if the last of the first `count` values is complex, and its conjugate one the next.
+template <int D> bool splits_pair(const Search<D>& search, const RitzPairs& pairs, int count) {
+  int complex_values = 0;
+  for (int k = 0; k < count; ++k) complex_values += search.value(pairs, k).imag() != 0;
+  return complex_values % 2 != 0;
+}
+
 /// Adds the first pairs, sets `stable`, and says what is not known of an unsymmetric tangent.
 template <int D> void take(Modes& modes, Model<D>& model, const Search<D>& search, RitzPairs& pairs, int count) {
   const std::vector<Message> names = take_rigid_motions(model, search, pairs);
@@ -236,6 +241,7 @@ template <int D> Modes free_modes(Model<D>& model, int count) {
   for (int vectors = count + extra, tries = 0; tries < 2; ++tries) {
     pairs = search.find(count, std::min(vectors, search.massive()));
     count = std::min(count, static_cast<int>(pairs.values.size()));
+    if (count < pairs.values.size() && splits_pair(search, pairs, count)) ++count;
     if (!search.has_converged(pairs, count))
       modes.warnings.push_back(Message("model.modes.accuracy", {{"error", pairs.errors.head(count).maxCoeff()}}));
     missing = modes.symmetric ? search.missing(pairs, count) : std::nullopt;
