@@ -12,7 +12,7 @@ local scenes = require "scenes"
 local slurm = require "signorini.study.slurm"
 core.quiet = true
 
-local samples = core.home .. "/tests/lua/samples/format12/"
+local samples = core.home .. "/tests/lua/samples/format13/"
 local folder = os.tmpname()
 os.remove(folder)
 sg.mkdir(folder .. "/study/cases")

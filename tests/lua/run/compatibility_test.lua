@@ -7,7 +7,7 @@ local scenes = require "samples.scenes"
 
 local folder = check.folder()
 
-local function sample_of(name) return ("%s/tests/lua/samples/format12/%s"):format(core.home, name) end
+local function sample_of(name) return ("%s/tests/lua/samples/format13/%s"):format(core.home, name) end
 
 local function copy(name)
   check.shell(("cp -r '%s' '%s'"):format(sample_of(name), folder))
@@ -65,15 +65,15 @@ check.case("a study of the first format is read and not solved again", function(
 end)
 
 check.case("checkpoints of a newer format are errors that say so", function()
-  for _, number in ipairs{ 13, 0xffffffff } do
+  for _, number in ipairs{ 14, 0xffffffff } do
     local file = with_format("space.sgn", number)
     check.fails(function() sg.load(file) end, "compatibility_test.lua", "sg.load",
-      ("was written by a newer version of the program, in format %d; this one reads formats up to 12"):format(number))
+      ("was written by a newer version of the program, in format %d; this one reads formats up to 13"):format(number))
   end
-  local file = with_format("run.sgn", 13)
+  local file = with_format("run.sgn", 14)
   check.fails(function() scenes.plane():run(scenes.path, { checkpoint = file, resume = true }) end,
     "compatibility_test.lua", "newer version")
-  check.fails(function() sg.load(with_format("space.sgn", 11)) end, "older version of the program, in format 11")
+  check.fails(function() sg.load(with_format("space.sgn", 12)) end, "older version of the program, in format 12")
 end)
 
 check.case("records of runs that cannot be those of a run are errors, not errors of a later step", function()
