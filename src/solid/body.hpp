@@ -32,8 +32,9 @@ public:
   double density() const { return density_; }
   /// True if forces are linear in displacements: the tangent is constant.
   bool linear() const { return material_.linear(); }
+  bool small_strains() const { return material_.small_strains(); }
   /// Number of internal variables of the material per Gauss point; their values are stored by the caller.
-  int internal_variables() const { return static_cast<int>(material_.initial_values().size()); }
+  int internal_variables() const { return static_cast<int>(material_.initial_values(D).size()); }
   int functions() const { return space_->functions(); }
   int elements() const { return tables_.elements(); }
   const GaussTables<D>& tables() const { return tables_; }

@@ -104,6 +104,7 @@ template <int D> KernelArguments GaussTables<D>::arguments(int e, const Material
   arguments.constant = constants_.data() + table.constant;
   arguments.law = material.law();
   arguments.respond = table.kernels.respond;
+  arguments.small_strains = material.small_strains();
   return arguments;
 }
 

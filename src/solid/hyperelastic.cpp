@@ -49,18 +49,6 @@ std::vector<double> invariants(const EnergyFormula& formula, const Mat<3>& f) {
   return values;
 }
 
-/// The response at one point, in a block of whole vectors.
-struct OnePoint {
-  OnePoint(const Hyperelastic& law, const Mat<3>& f, bool moduli) {
-    for (int q = 0; q < stride; ++q)
-      for (int e = 0; e < entries; ++e) deformation[e * stride + q] = f(e / 3, e % 3);
-    Hyperelastic::respond<3>(&law, {1, stride, deformation.data(), stress.data(), moduli ? tangent.data() : nullptr});
-  }
-  static constexpr int stride = vector_padding, entries = 9;
-  std::array<double, entries * stride> deformation, stress;
-  std::array<double, packed_size(entries) * stride> tangent;
-};
-
 void check(const EnergyFormula& formula) {
   require(formula.fibers.size() <= most_fibers, "solid.energy.fibers",
           {{"count", formula.fibers.size()}, {"most", most_fibers}});
@@ -160,16 +148,11 @@ double Hyperelastic::energy(const Mat<3>& f) const {
 }
 
 Mat<3> Hyperelastic::stress(const Mat<3>& f) const {
-  const OnePoint point(*this, f, false);
-  return Mat<3>::NullaryExpr([&](Eigen::Index i, Eigen::Index k) { return point.stress[(3 * i + k) * point.stride]; });
+  return PointResponse<3>(respond<3>, this, f, {}, false).stress();
 }
 
 Moduli Hyperelastic::moduli(const Mat<3>& f) const {
-  const OnePoint point(*this, f, true);
-  return Moduli::NullaryExpr([&](Eigen::Index row, Eigen::Index column) {
-    const int e = static_cast<int>(std::min(row, column)), o = static_cast<int>(std::max(row, column));
-    return point.tangent[packed(9, e, o) * point.stride];
-  });
+  return PointResponse<3>(respond<3>, this, f, {}, true).moduli();
 }
 
 template <int D> void Hyperelastic::respond(const void* law, const PointBlock& block) {

@@ -3,7 +3,6 @@
 
 #include "solid/energy_program.hpp"
 #include "solid/material.hpp"
-#include "solid/respond_each.hpp"
 #include "symbolic/graph.hpp"
 
 namespace signorini::solid {
@@ -36,7 +35,6 @@ struct Hyperelastic : ElasticConstants {
   Mat<3> stress(const Mat<3>& f) const;
   Moduli moduli(const Mat<3>& f) const;
   template <int D> static void respond(const void* law, const PointBlock& block);
-  template <int D> static Kernels kernels(Kind kind, int) { return moduli_kernels_of<Hyperelastic, D>(kind); }
   const EnergyFormula& formula() const;
 
   std::shared_ptr<const Energy> compiled;

@@ -80,7 +80,7 @@ KernelArguments ElementArrays<D>::arguments(const Body<D>& body, int e, double* 
 }
 
 template <int D> std::vector<double> initial_values(const Body<D>& body) {
-  const std::vector<double> point = body.material().initial_values();
+  const std::vector<double>& point = body.material().initial_values(D);
   std::vector<double> values;
   values.reserve(body.tables().points() * point.size());
   for (std::size_t q = 0; q < body.tables().points(); ++q) values.insert(values.end(), point.begin(), point.end());
@@ -88,31 +88,57 @@ template <int D> std::vector<double> initial_values(const Body<D>& body) {
 }
 
 template <int D>
+std::vector<double> values_at(const Body<D>& body, int e, const VectorX& xi, std::span<const double> values) {
+  const std::size_t variables = body.internal_variables(), first = body.tables().element(e).point * variables;
+  if (variables == 0) return {};
+  std::vector<double> all(&values[first], &values[first] + body.tables().element(e).points * variables);
+  // One direction after the other, the first one fastest: Σ_i L_i(ξ) of the rows of points.
+  for (int d = 0; d < D; ++d) {
+    const auto [from, to] = body.space().interval(e, d);
+    const std::vector<double> points = gauss_legendre(body.space().degree(e, d) + 1, from, to).points;
+    const std::size_t count = points.size(), rows = all.size() / (count * variables);
+    std::vector<double> sums(rows * variables, 0.0);
+    for (std::size_t i = 0; i < count; ++i) {
+      double factor = 1;
+      for (std::size_t k = 0; k < count; ++k)
+        if (k != i) factor *= (xi(d) - points[k]) / (points[i] - points[k]);
+      for (std::size_t row = 0; row < rows; ++row)
+        for (std::size_t v = 0; v < variables; ++v)
+          sums[row * variables + v] += factor * all[(row * count + i) * variables + v];
+    }
+    all = std::move(sums);
+  }
+  return all;
+}
+
+template <int D> PointMemory element_memory(const Body<D>& body, int e, const Memory& memory) {
+  if (memory.committed.empty()) return {};
+  const int variables = body.internal_variables();
+  const std::size_t first = body.tables().element(e).point * variables;
+  return {memory.committed.data() + first, memory.trial.empty() ? nullptr : memory.trial.data() + first, variables,
+          memory.duration};
+}
+
+template <int D>
 std::optional<Inversion> internal_force(const Body<D>& body, int m, const double* displacement,
-                                        ElementArrays<D>& arrays, bool tangent, std::span<const double> committed,
-                                        std::span<double> trial, const double* before) {
-  const std::size_t variables = body.internal_variables();
-  if (variables)
-    require(committed.size() == variables * body.tables().points() && trial.size() == committed.size(),
-            "solid.body.internal_variables",
-            {{"material", body.material().name()},
-             {"expected", variables * body.tables().points()},
-             {"committed", committed.size()},
-             {"trial", trial.size()}});
+                                        ElementArrays<D>& arrays, bool tangent, const Memory& memory,
+                                        const double* before) {
+  const std::size_t values = body.internal_variables() * body.tables().points();
+  require(memory.committed.size() == values && memory.trial.size() == values, "solid.body.internal_variables",
+          {{"material", body.material().name()},
+           {"expected", values},
+           {"committed", memory.committed.size()},
+           {"trial", memory.trial.size()}});
   if (!tangent || !predicts_volume(body)) before = nullptr;
   if (body.volumetric() == Volumetric::projected)
-    return projected_force(body, m, displacement, arrays, tangent, committed, trial, before);
+    return projected_force(body, m, displacement, arrays, tangent, memory, before);
   gather(body, m, displacement, arrays.local.data());
   KernelArguments arguments = arrays.arguments(body, m, arrays.force.data(), tangent ? arrays.blocks.data() : nullptr);
   if (before) {
     write_predicted(body, m, displacement, before, arrays.moves, arrays.predicted.data());
     arguments.predicted = arrays.predicted.data();
   }
-  if (variables) {
-    arguments.internal_variables = body.internal_variables();
-    arguments.committed = committed.data() + body.tables().element(m).point * variables;
-    arguments.trial = trial.data() + body.tables().element(m).point * variables;
-  }
+  arguments.memory = element_memory(body, m, memory);
   const KernelResult result = body.tables().element(m).kernels.element(arguments);
   if (result.point < 0) return std::nullopt;
   return Inversion{m, reference_point(body, m, result.point), result.jacobian};
@@ -152,24 +178,38 @@ template <int D> double quadratic_energy(const Body<D>& body, const double* disp
 } // namespace
 
 template <int D>
-double stored_energy(const Body<D>& body, const double* displacement, std::span<const double> committed) {
-  double sum = 0;
+bool visit_points(const Body<D>& body, const double* displacement, const Memory& memory, const VisitPoint& visit) {
   if (body.volumetric() == Volumetric::projected) {
-    for (int m = 0; m < body.macro_elements(); ++m) sum += projected_energy(body, m, displacement, committed);
-    return sum;
+    for (int m = 0; m < body.macro_elements(); ++m)
+      if (!visit_projected(body, m, displacement, visit)) return false;
+    return true;
   }
-  if (body.linear() && !body.internal_variables()) return quadratic_energy(body, displacement);
-  const std::size_t variables = committed.empty() ? 0 : body.internal_variables();
+  const std::size_t variables = memory.committed.empty() ? 0 : body.internal_variables();
+  bool inverted = false;
   each_deformation(body, displacement, [&](int e, int q, const Mat<D>& f, const auto& u) {
+    if (inverted) return;
+    const std::size_t point = body.tables().element(e).point + q;
     double across = hoop_stretch(body, e, q, u);
     if constexpr (D == 2)
-      if (body.kind() == Kind::plane_stress) across = body.material().thickness_stretch(f);
-    const std::size_t point = body.tables().element(e).point + q;
-    const bool inverted = !(f.determinant() > 0 && across > 0);
-    sum += body.tables().weights_of(e)[q] *
-           (inverted ? std::numeric_limits<double>::infinity()
-                     : body.material().energy(in_space<D>(f, across), committed.subspan(point * variables, variables)));
+      if (body.kind() == Kind::plane_stress)
+        across = body.material().thickness_stretch(
+            f, {memory.committed.subspan(point * variables, variables), {}, memory.duration});
+    inverted = !body.small_strains() && !(f.determinant() > 0 && across > 0);
+    if (!inverted) visit(point, body.tables().weights_of(e)[q], in_space<D>(f, across));
   });
+  return !inverted;
+}
+
+template <int D> Account account(const Body<D>& body, const double* displacement, std::span<const double> values) {
+  if (body.linear() && body.volumetric() == Volumetric::pointwise) return {quadratic_energy(body, displacement), 0};
+  const std::size_t variables = values.empty() ? 0 : body.internal_variables();
+  Account sum;
+  const auto add = [&](std::size_t point, double weight, const Mat<3>& f) {
+    const Account own = body.material().account(f, values.subspan(point * variables, variables));
+    sum.stored += weight * own.stored;
+    sum.viscous += weight * own.viscous;
+  };
+  if (!visit_points(body, displacement, {values, {}, 0}, add)) sum.stored = std::numeric_limits<double>::infinity();
   return sum;
 }
 
@@ -178,9 +218,12 @@ double stored_energy(const Body<D>& body, const double* displacement, std::span<
   template void gather(const Body<D>&, int, const double*, double*);                                                   \
   template std::vector<double> initial_values(const Body<D>&);                                                         \
   template std::optional<Inversion> internal_force(const Body<D>&, int, const double*, ElementArrays<D>&, bool,        \
-                                                   std::span<const double>, std::span<double>, const double*);         \
+                                                   const Memory&, const double*);                                      \
+  template std::vector<double> values_at(const Body<D>&, int, const VectorX&, std::span<const double>);                \
+  template PointMemory element_memory(const Body<D>&, int, const Memory&);                                             \
   template std::vector<MeanDeformation<D>> mean_deformations(const Body<D>&, const double*);                           \
-  template double stored_energy(const Body<D>&, const double*, std::span<const double>);
+  template bool visit_points(const Body<D>&, const double*, const Memory&, const VisitPoint&);                         \
+  template Account account(const Body<D>&, const double*, std::span<const double>);
 SIGNORINI_INSTANTIATE(2)
 SIGNORINI_INSTANTIATE(3)
 #undef SIGNORINI_INSTANTIATE

@@ -5,6 +5,7 @@
 #include "solid/body.hpp"
 #include "solid/macro_arrays.hpp"
 
+#include <functional>
 #include <optional>
 
 namespace signorini::solid {
@@ -43,16 +44,24 @@ template <int D> std::vector<double> initial_values(const Body<D>& body);
 /// `displacement` holds u of the body's control points, D values each. Returns a point with J ≤ 0 if the element is
 /// inverted (the arrays are then undefined), otherwise nothing; small-strain laws have no inversion.
 ///
-/// Only for a body with internal variables: `committed` holds the values of the whole body at the start of the step,
-/// `trial` receives those of this element at `displacement`; both have the layout of initial_values(). The tangent is
-/// that at fixed committed values. Throws Error if their sizes are wrong.
+/// Only for a body with internal variables: `memory.committed` holds the values of the whole body at the start of the
+/// step, `memory.trial` receives those of this element at `displacement`; both have the layout of initial_values(). The
+/// tangent is that at fixed committed values. Throws Error if their sizes are wrong.
 ///
 /// `before`: the displacement from which Newton's last correction started. The tangent of a nearly incompressible body
 /// is then that with the volume change which it predicted (predicted_volume.hpp). Null: the tangent is ∂f/∂u.
 template <int D>
-std::optional<Inversion>
-internal_force(const Body<D>& body, int m, const double* displacement, ElementArrays<D>& arrays, bool tangent = true,
-               std::span<const double> committed = {}, std::span<double> trial = {}, const double* before = nullptr);
+std::optional<Inversion> internal_force(const Body<D>& body, int m, const double* displacement,
+                                        ElementArrays<D>& arrays, bool tangent = true, const Memory& memory = {},
+                                        const double* before = nullptr);
+
+/// Internal variables at a parametric point of element e: the polynomial through their values at its Gauss points, of
+/// the degree of the element in each direction. Empty for most materials.
+template <int D>
+std::vector<double> values_at(const Body<D>& body, int e, const VectorX& xi, std::span<const double> values);
+
+/// The part of a body's internal variables that belongs to element e.
+template <int D> PointMemory element_memory(const Body<D>& body, int e, const Memory& memory);
 
 /// Means over the reference volume of an element.
 template <int D> struct MeanDeformation {
@@ -61,9 +70,14 @@ template <int D> struct MeanDeformation {
 };
 template <int D> std::vector<MeanDeformation<D>> mean_deformations(const Body<D>& body, const double* displacement);
 
-/// Stored energy of the whole body; infinity if an element is inverted (never with small strains). `committed` as for
-/// internal_force(); empty: the initial values.
+/// Calls visit with the number of each Gauss point of a body, its weight and F, with projected volume change F̄. Returns
+/// false where an element is inverted (never with small strains). `memory` as for internal_force().
+using VisitPoint = std::function<void(std::size_t point, double weight, const Mat<3>& f)>;
 template <int D>
-double stored_energy(const Body<D>& body, const double* displacement, std::span<const double> committed = {});
+bool visit_points(const Body<D>& body, const double* displacement, const Memory& memory, const VisitPoint& visit);
+
+/// Energies of the whole body; infinity if an element is inverted. `values`: internal variables of this state; empty:
+/// the initial ones.
+template <int D> Account account(const Body<D>& body, const double* displacement, std::span<const double> values = {});
 
 } // namespace signorini::solid

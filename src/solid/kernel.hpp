@@ -1,7 +1,6 @@
 #pragma once
-// The element kernels on raw arrays: force and tangent blocks of one element. Any law can use the generic one
-// (kernel_generic.hpp). Those for neo-Hooke in the plane and in space are compiled once for any machine and again for
-// wider vectors, chosen at run time.
+// The element kernels on raw arrays: force and tangent blocks of one element. They are compiled once for any machine
+// and again for wider vectors, chosen at run time. Any law can use those of moduli_kernels(); neo-Hooke has its own.
 
 #include "solid/response.hpp"
 
@@ -27,11 +26,10 @@ struct KernelArguments {
   double* work = nullptr;            ///< work array, working_size() doubles
   double* factors = nullptr;         ///< work array, two per Gauss point
   double* blocks = nullptr;          ///< K^{ij}_{AB}, i ≤ j, n×n each; null: no tangent
-  const void* law = nullptr;         ///< for the generic kernel and for `respond`
+  const void* law = nullptr;         ///< for `respond`
   Respond respond = nullptr;         ///< see Kernels
-  int internal_variables = 0;        ///< per Gauss point
-  const double* committed = nullptr; ///< their values at the start of the step
-  double* trial = nullptr;           ///< receives their current values
+  bool small_strains = false;        ///< elements cannot be inverted
+  PointMemory memory = {};           ///< of its Gauss points
   const double* predicted = nullptr; ///< per Gauss point, see predicted_volume.hpp; null: zeros
 };
 
@@ -92,13 +90,15 @@ Instructions widest_instructions(const char* wanted);
 /// last is the fastest. Their results differ by rounding error.
 template <int D> std::vector<Kernel> element_kernels(int functions);
 
-/// The kernels for laws that give stress and moduli at many points at once, up to the widest instructions.
+/// The kernels for laws that give stress and moduli at many points at once, up to the widest instructions. The Jacobian
+/// of an inverted element is det F of a solid, and in the plane that of the plane part or, if a point of a body of
+/// revolution crossed the axis, the hoop stretch r/R: whichever is not positive.
 template <int D> std::vector<Kernel> moduli_kernels();
 template <> std::vector<Kernel> moduli_kernels<2>();
 template <> std::vector<Kernel> moduli_kernels<3>();
 
 /// Neo-Hooke for bodies of revolution without twist, x = r, y = z: `hoop` must not be null, and the weights include the
-/// circumference 2πR. The Jacobian of an inverted element is that of generic_kernel().
+/// circumference 2πR. The Jacobian of an inverted element is that of moduli_kernels().
 KernelResult axisymmetric_kernel(const KernelArguments& arguments);
 
 } // namespace signorini::solid

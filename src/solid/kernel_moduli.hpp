@@ -72,7 +72,7 @@ inline KernelResult write_deformations(const KernelArguments& in, const ModuliAr
       for (int r = 0; r < R; ++r)
         if (const int e = entry_of<D>(i, r); e >= 0) f[e] = (r == i || r == D ? 1 : 0) + sum_of(sums[i][r]);
     for (int e = 0; e < entries; ++e) to.f[e * to.stride + q] = f[e];
-    if (const double j = least_jacobian<D>(f); !(j > 0)) return {q, j};
+    if (const double j = least_jacobian<D>(f); !(j > 0 || in.small_strains)) return {q, j};
   }
   for (int q = in.points; q < to.stride; ++q)
     for (int e = 0; e < entries; ++e) to.f[e * to.stride + q] = to.f[e * to.stride + in.points - 1];
@@ -199,7 +199,7 @@ template <int D, int R> inline void predict_volume(const KernelArguments& in, co
 template <int D, int R> inline KernelResult run_rows(const KernelArguments& in) {
   const ModuliArrays<D, R> at(in);
   if (const KernelResult result = write_deformations<D, R>(in, at); result.point >= 0) return result;
-  in.respond(in.law, {in.points, at.stride, at.f, at.stress, in.blocks ? at.moduli : nullptr});
+  in.respond(in.law, {in.points, at.stride, at.f, at.stress, in.blocks ? at.moduli : nullptr, in.memory});
   if constexpr (D == 2)
     for (int q = 0; q < in.points; ++q)
       if (const double across = at.f[4 * at.stride + q]; !(across > 0)) return {q, across};

@@ -32,6 +32,14 @@ template <class Entry> Moduli moduli_of(const Entry& entry) {
   });
 }
 
+/// Internal variables in a step, of a point or of a body: those at its start, those at its end, which the response
+/// writes and which are committed if the step is accepted, and its duration; infinite: until nothing changes any more.
+struct Memory {
+  std::span<const double> committed = {};
+  std::span<double> trial = {};
+  double duration = 0;
+};
+
 /// Energy W per reference volume, first Piola–Kirchhoff stress P = ∂W/∂F and its moduli at F.
 template <class T>
 concept ElasticResponse = requires(const T& law, const Mat<3>& f) {
@@ -40,47 +48,33 @@ concept ElasticResponse = requires(const T& law, const Mat<3>& f) {
   { law.moduli(f) } -> std::same_as<Moduli>;
 };
 
-/// A response with internal variables: `initial_values()` are those of one unstrained point. A step starts from the
-/// committed values; `stress` writes the trial values at F, which are committed if the step is accepted, and `moduli`
-/// differentiates `stress` at fixed committed values. The energy is that of the step, ∂W/∂F = P.
+/// Energy per reference volume of a law with internal variables.
+struct Account {
+  double stored = 0;
+  double viscous = 0; ///< work of the stresses that relax, from the start of the path on
+};
+
+/// A response with internal variables: `initial_values()` are those of one unstrained point of a body in 2 or 3
+/// dimensions. `stress` writes the trial values at F, `moduli` differentiates it at fixed committed values. The energy
+/// is that of the step, ∂W/∂F = P; `account` is that of a state with given values.
 template <class T>
-concept InelasticResponse = requires(const T& law, const Mat<3>& f, std::span<const double> committed,
-                                     std::span<double> trial) {
-  { law.initial_values() } -> std::same_as<std::vector<double>>;
-  { law.energy(f, committed) } -> std::same_as<double>;
-  { law.stress(f, committed, trial) } -> std::same_as<Mat<3>>;
-  { law.moduli(f, committed) } -> std::same_as<Moduli>;
+concept InelasticResponse = requires(const T& law, const Mat<3>& f, const Memory& memory, int dimensions) {
+  { law.initial_values(dimensions) } -> std::same_as<std::vector<double>>;
+  { law.energy(f, memory) } -> std::same_as<double>;
+  { law.stress(f, memory) } -> std::same_as<Mat<3>>;
+  { law.moduli(f, memory) } -> std::same_as<Moduli>;
+  { law.account(f, memory.committed) } -> std::same_as<Account>;
 };
 
 /// A law has: its parameters, which define elastic constants for estimates (derive from ElasticConstants, or convert to
 /// it); a display name; whether it is linear, that is, P is proportional to F − I, so that the tangent is constant,
 /// states cannot be inverted and all stress measures are equal; and its response to F, which is always 3×3, with F₃₃ =
-/// 1 in plane strain and in the directions (r, z, θ) for a body of revolution. A law with faster kernels than the
-/// generic one returns them from `template <int D> static Kernels kernels(Kind, int functions)`.
+/// 1 in plane strain and in the directions (r, z, θ) for a body of revolution. A law that computes many points at once
+/// does so in `template <int D> static void respond(const void* law, const PointBlock&)`; a linear one, and one with
+/// faster element kernels, returns these from `template <int D> static Kernels kernels(Kind, int functions)`.
 template <class T>
 concept Law = std::copy_constructible<T> && std::convertible_to<T, ElasticConstants> &&
     std::convertible_to<decltype(T::name), const char*> && std::same_as<decltype(T::linear), const bool> &&
     (ElasticResponse<T> || (InelasticResponse<T> && !T::linear));
-
-/// The response of any law; laws without internal variables do not receive them.
-template <Law T> double energy(const T& law, const Mat<3>& f, std::span<const double> committed) {
-  if constexpr (InelasticResponse<T>)
-    return law.energy(f, committed);
-  else
-    return law.energy(f);
-}
-template <Law T>
-Mat<3> stress(const T& law, const Mat<3>& f, std::span<const double> committed, std::span<double> trial) {
-  if constexpr (InelasticResponse<T>)
-    return law.stress(f, committed, trial);
-  else
-    return law.stress(f);
-}
-template <Law T> Moduli moduli(const T& law, const Mat<3>& f, std::span<const double> committed) {
-  if constexpr (InelasticResponse<T>)
-    return law.moduli(f, committed);
-  else
-    return law.moduli(f);
-}
 
 } // namespace signorini::solid

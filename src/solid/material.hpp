@@ -1,7 +1,7 @@
 #pragma once
 // The material of a body: any law as one type.
 
-#include "solid/kernel_generic.hpp"
+#include "solid/respond_each.hpp"
 
 #include <memory>
 
@@ -30,81 +30,67 @@ public:
   /// True if stress is linear in displacements: the tangent is constant.
   bool linear() const { return linear_; }
   const ElasticConstants& constants() const { return constants_; }
-  /// Internal variables of an unstrained point; empty for most laws.
-  const std::vector<double>& initial_values() const { return initial_; }
+  /// True if strains are small by definition: F may be any, all stress measures are equal.
+  bool small_strains() const { return small_strains_; }
+  /// Internal variables of an unstrained point in 2 or 3 dimensions; empty for most laws.
+  const std::vector<double>& initial_values(int dimensions) const { return initial_[dimensions - 2]; }
   /// The law, for the kernels.
   const void* law() const { return law_.get(); }
   /// Kernels for elements of n functions in bodies of D dimensions.
   template <int D> Kernels kernels(Kind kind, int functions) const { return kernels_[D - 2](kind, functions); }
 
-  /// Stored energy per reference volume. `f` is F, with positive determinant unless the law is linear; `committed`:
-  /// internal variables of the point, empty for the initial ones.
-  double energy(const Mat<3>& f, std::span<const double> committed = {}) const;
-  /// First Piola–Kirchhoff stress; arguments as for energy().
-  Mat<3> stress(const Mat<3>& f, std::span<const double> committed = {}) const;
-  /// Also writes the trial values of internal variables.
-  Mat<3> stress(const Mat<3>& f, std::span<const double> committed, std::span<double> trial) const {
-    return stress_(law(), f, committed, trial);
-  }
+  /// Energy of the step per reference volume, ∂W/∂F = P: of an elastic law that stored. `f` is F, with positive
+  /// determinant unless strains are small; `memory`: internal variables of the point, without committed ones the
+  /// initial ones.
+  double energy(const Mat<3>& f, const Memory& memory = {}) const;
+  /// First Piola–Kirchhoff stress; writes the trial values if there are any.
+  Mat<3> stress(const Mat<3>& f, const Memory& memory = {}) const;
   /// ∂P/∂F at fixed committed values.
-  Moduli moduli(const Mat<3>& f, std::span<const double> committed) const { return moduli_(law(), f, committed); }
-  /// Stress and moduli at many points in D dimensions; null for a law with internal variables.
+  Moduli moduli(const Mat<3>& f, const Memory& memory = {}) const;
+  /// Energies of a state with these internal variables, empty: the initial ones.
+  Account account(const Mat<3>& f, std::span<const double> values = {}) const;
+  /// Cauchy stress. In plane strain σ₃₃ is the out-of-plane stress.
+  Mat<3> cauchy_stress(const Mat<3>& f, const Memory& memory = {}) const;
+  /// F₃₃ with P₃₃ = 0 for F in the plane; 1 if there is none.
+  double thickness_stretch(const Mat<2>& f, const Memory& memory = {}) const;
+  /// Stress and moduli at many points in D dimensions.
   template <int D> Respond respond() const { return respond_[D - 2]; }
-  /// Cauchy stress; arguments as for energy(). In plane strain σ₃₃ is the out-of-plane stress.
-  Mat<3> cauchy_stress(const Mat<3>& f, std::span<const double> committed = {}) const;
-  /// F₃₃ with P₃₃ = 0 for F in the plane; 1 if there is none, or if the law has internal variables.
-  double thickness_stretch(const Mat<2>& f) const { return thickness_(law(), f); }
 
 private:
   const char* name_;
-  bool linear_;
+  bool linear_, small_strains_;
   std::shared_ptr<const void> law_;
   ElasticConstants constants_;
-  std::vector<double> initial_;
-  double (*energy_)(const void* law, const Mat<3>& f, std::span<const double> committed);
-  Mat<3> (*stress_)(const void* law, const Mat<3>& f, std::span<const double> committed, std::span<double> trial);
-  Moduli (*moduli_)(const void* law, const Mat<3>& f, std::span<const double> committed);
-  double (*thickness_)(const void* law, const Mat<2>& f);
-  Respond respond_[2];                              ///< in 2 and 3 dimensions
-  Kernels (*kernels_[2])(Kind kind, int functions); ///< in 2 and 3 dimensions
+  std::vector<double> initial_[2]; ///< in 2 and 3 dimensions, as below
+  double (*energy_)(const void* law, const Mat<3>& f, const Memory& memory);
+  Mat<3> (*stress_)(const void* law, const Mat<3>& f, const Memory& memory);
+  Moduli (*moduli_)(const void* law, const Mat<3>& f, const Memory& memory);
+  Account (*account_)(const void* law, const Mat<3>& f, std::span<const double> values);
+  Respond respond_[2];
+  Kernels (*kernels_[2])(Kind kind, int functions);
 };
-
-/// See Material::thickness_stretch().
-template <Law T> double thickness_of(const void* given, const Mat<2>& f) {
-  if constexpr (ElasticResponse<T>) {
-    const T& law = *static_cast<const T*>(given);
-    if constexpr (T::linear) {
-      const Mat<3> strained = in_space<2>(f);
-      return 1 - law.stress(strained)(2, 2) / law.moduli(strained)(8, 8);
-    }
-    const ElasticConstants& constants = law;
-    const double stretch =
-        f.determinant() > 0 ? thickness_stretch(response<T, 2>(), given, constants.poissons_ratio, f) : 0;
-    return stretch > 0 ? stretch : 1;
-  }
-  return 1;
-}
-
-template <Law T, int D> constexpr Respond response_or_none() {
-  if constexpr (ElasticResponse<T>) return response<T, D>();
-  return nullptr;
-}
 
 template <class T>
 requires(!std::same_as<T, Material> && Law<T>) Material::Material(T law)
-    : name_(T::name), linear_(T::linear), law_(std::make_shared<const T>(law)), constants_(law),
-      energy_([](const void* law, const Mat<3>& f, std::span<const double> committed) {
-        return solid::energy(*static_cast<const T*>(law), f, committed);
-      }),
-      stress_([](const void* law, const Mat<3>& f, std::span<const double> committed, std::span<double> trial) {
-        return solid::stress(*static_cast<const T*>(law), f, committed, trial);
-      }),
-      moduli_([](const void* law, const Mat<3>& f, std::span<const double> committed) {
-        return solid::moduli(*static_cast<const T*>(law), f, committed);
-      }),
-      thickness_(thickness_of<T>), respond_{response_or_none<T, 2>(), response_or_none<T, 3>()},
-      kernels_{law_kernels<T, 2>, law_kernels<T, 3>} {
-  if constexpr (InelasticResponse<T>) initial_ = law.initial_values();
+    : name_(T::name), linear_(T::linear), small_strains_(T::linear), law_(std::make_shared<const T>(law)),
+      constants_(law), respond_{response<T, 2>(), response<T, 3>()}, kernels_{law_kernels<T, 2>, law_kernels<T, 3>} {
+  if constexpr (requires { law.small_strains(); }) small_strains_ = law.small_strains();
+  if constexpr (InelasticResponse<T>) {
+    for (int d : {2, 3}) initial_[d - 2] = law.initial_values(d);
+    energy_ = [](const void* of, const Mat<3>& f, const Memory& m) { return static_cast<const T*>(of)->energy(f, m); };
+    stress_ = [](const void* of, const Mat<3>& f, const Memory& m) { return static_cast<const T*>(of)->stress(f, m); };
+    moduli_ = [](const void* of, const Mat<3>& f, const Memory& m) { return static_cast<const T*>(of)->moduli(f, m); };
+    account_ = [](const void* of, const Mat<3>& f, std::span<const double> values) {
+      return static_cast<const T*>(of)->account(f, values);
+    };
+  } else {
+    energy_ = [](const void* of, const Mat<3>& f, const Memory&) { return static_cast<const T*>(of)->energy(f); };
+    stress_ = [](const void* of, const Mat<3>& f, const Memory&) { return static_cast<const T*>(of)->stress(f); };
+    moduli_ = [](const void* of, const Mat<3>& f, const Memory&) { return static_cast<const T*>(of)->moduli(f); };
+    account_ = [](const void* of, const Mat<3>& f, std::span<const double>) {
+      return Account{static_cast<const T*>(of)->energy(f), 0};
+    };
+  }
 }
 
 } // namespace signorini::solid

@@ -74,13 +74,15 @@ void respond_in_plane_stress(Respond respond, const void* law, double poissons_r
   if (block.moduli) condense(block);
 }
 
-double thickness_stretch(Respond respond, const void* law, double poissons_ratio, const Mat<2>& f) {
+double thickness_stretch(Respond respond, const void* law, double poissons_ratio, const Mat<2>& f,
+                         const PointMemory& memory) {
   // Whole vectors with a valid F.
   constexpr int stride = vector_padding;
   std::array<double, entries * stride> deformation, stress;
   for (int q = 0; q < stride; ++q)
     for (int e = 0; e < across; ++e) deformation[e * stride + q] = f(e / 2, e % 2);
-  respond_in_plane_stress(respond, law, poissons_ratio, {1, stride, deformation.data(), stress.data(), nullptr});
+  respond_in_plane_stress(respond, law, poissons_ratio,
+                          {1, stride, deformation.data(), stress.data(), nullptr, memory});
   return deformation[across * stride];
 }
 

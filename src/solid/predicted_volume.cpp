@@ -13,7 +13,7 @@ constexpr double nearly_incompressible = 0.4;
 } // namespace
 
 template <int D> bool predicts_volume(const Body<D>& body) {
-  return !body.linear() && body.kind() != Kind::plane_stress &&
+  return !body.small_strains() && body.kind() != Kind::plane_stress &&
          body.material().constants().poissons_ratio > nearly_incompressible;
 }
 

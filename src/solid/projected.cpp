@@ -2,23 +2,18 @@
 
 #include "solid/predicted_volume.hpp"
 #include "solid/projected_volume.hpp"
-#include "solid/respond_each.hpp"
+#include "solid/strain_rows.hpp"
+#include "solid/volume_change.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace signorini::solid {
 
-// With c = (Pθ − θ)/3, T = ∂θ/∂F = F⁻ᵀ (at small strains I), P̄ = ∂W/∂F̄, the mean Kirchhoff stress τ = P̄:F̄/3 and its
-// projection π = Pτ (P is self-adjoint) the first variation of ∫ W(F̄) dV is
-//   ∫ P*:δF dV, P* = eᶜ P̄ + (π − τ) T.
-// With the moduli A at F̄, u = A:F̄, h = eᶜ (u + P̄), b = F̄:u/9 + τ/3 the second one is
-//   ∫ δF:M:∂F + δF:v P∂θ + ∂F:v Pδθ + b Pδθ P∂θ dV,
-//   M = e²ᶜ A − (h⊗T + T⊗h)/3 + b T⊗T − (π − τ) X, X_ik,jl = T_il T_jk, v = h/3 − b T.
+// With the mean Kirchhoff stress τ = P̄:F̄/3 and its projection π = Pτ (P is self-adjoint) the first variation of
+// ∫ W(F̄) dV is ∫ P*:δF dV, and with M, v and b of change_volume() the second one is
+//   ∫ δF:M:∂F + δF:v P∂θ + ∂F:v Pδθ + b Pδθ P∂θ dV.
 // Newton's tangent replaces π by π + b PΔ, with Δ what was predicted for θ less θ [theory 2.10].
-// At small strains F̄ = ε̄ + I with ε̄ = ε + c I is linear in u: eᶜ is 1, F̄ and T are I, P̄ is the stress σ(ε̄) and
-// τ = tr σ/3, so that the first variation is the same, and the terms with P̄, τ and π vanish from the second one.
 
 namespace {
 
@@ -67,24 +62,28 @@ void respond_as_given(const void* law, const PointBlock& block) {
   if (block.moduli) copy(given.moduli, block.moduli, packed_size(given.entries));
 }
 
-/// Stress and moduli of a law with internal variables.
+/// Stress and moduli of the material at all points, with their internal variables in a row.
 template <int D>
-void respond_with_variables(const Body<D>& body, const MacroElement& macro, PointBlock block,
-                            std::span<const double> committed, std::span<double> trial) {
+void respond(const Body<D>& body, const MacroElement& macro, PointBlock block, const Memory& memory,
+             MacroArrays<D>& arrays) {
   const std::size_t variables = body.internal_variables();
-  for (int e : macro.elements) {
-    block.points = body.tables().element(e).points;
-    const auto first = [&](int q) { return (body.tables().element(e).point + q) * variables; };
-    respond_by<D>(
-        [&](int q, const Mat<3>& f) {
-          return body.material().stress(f, committed.subspan(first(q), variables), trial.subspan(first(q), variables));
-        },
-        [&](int q, const Mat<3>& f) { return body.material().moduli(f, committed.subspan(first(q), variables)); },
-        block);
-    block.f += block.points;
-    block.stress += block.points;
-    if (block.moduli) block.moduli += block.points;
+  const auto each_element = [&](const auto& visit) {
+    auto own = arrays.trial.begin();
+    for (int e : macro.elements) {
+      const ElementTable& table = body.tables().element(e);
+      visit(table.point * variables, static_cast<std::ptrdiff_t>(table.points * variables), own);
+      own += static_cast<std::ptrdiff_t>(table.points * variables);
+    }
+  };
+  if (variables) {
+    arrays.trial.resize(block.points * variables);
+    each_element([&](std::size_t first, auto count, auto to) { std::copy_n(&memory.committed[first], count, to); });
+    arrays.committed = arrays.trial;
+    block.memory = {arrays.committed.data(), arrays.trial.data(), static_cast<int>(variables), memory.duration};
   }
+  body.material().template respond<D>()(body.material().law(), block);
+  if (variables)
+    each_element([&](std::size_t first, auto count, auto from) { std::copy_n(from, count, &memory.trial[first]); });
 }
 
 /// τ at the points.
@@ -102,38 +101,22 @@ template <int D> void write_mean_stress(bool linear, MacroArrays<D>& at) {
 /// Turns P̄ and A into P* and M; writes v and b.
 template <int D> void write_projected_response(bool linear, bool tangent, MacroArrays<D>& at) {
   constexpr int entries = entries_in(D);
-  using Entries = Eigen::Matrix<double, entries, 1>;
   const Eigen::Index points = at.dilation.size();
   if (tangent) {
     at.coupling.resize(points, entries);
     at.square.resize(points);
   }
   for (Eigen::Index q = 0; q < points; ++q) {
-    const double scale = linear ? 1 : at.scale(q), excess = at.excess(q);
-    const Entries p = at.stress.row(q), t = at.directions.row(q), f = linear ? t : Entries(at.f.row(q));
-    at.stress.row(q) = scale * p + excess * t;
+    Entries<D> p = at.stress.row(q);
+    const Entries<D> t = at.directions.row(q), f = linear ? t : Entries<D>(at.f.row(q));
+    const VolumeChange<D> change{
+        linear, linear ? 1 : at.scale(q), at.mean(q), at.excess(q), f, t, at.predicted.size() ? at.predicted(q) : 0};
+    const auto [coupling, square] =
+        change_volume(change, p, tangent ? &at.moduli(q, 0) : nullptr, static_cast<int>(at.moduli.rows()));
+    at.stress.row(q) = p;
     if (!tangent) continue;
-    Entries u = Entries::Zero();
-    for (int e = 0; e < entries; ++e)
-      for (int o = e; o < entries; ++o) {
-        const double modulus = at.moduli(q, packed(entries, e, o));
-        u(e) += modulus * f(o);
-        if (o > e) u(o) += modulus * f(e);
-      }
-    const Entries h = linear ? u : Entries(scale * (u + p));
-    const double b = f.dot(u) / 9 + (linear ? 0 : at.mean(q) / 3);
-    const double turned = at.predicted.size() ? excess + b * at.predicted(q) : excess;
-    Mat<3> turn = Mat<3>::Zero(); // T
-    for (int e = 0; e < entries; ++e) turn(component<D>(e) / 3, component<D>(e) % 3) = t(e);
-    for (int e = 0; e < entries; ++e)
-      for (int o = e; o < entries; ++o) {
-        double& value = at.moduli(q, packed(entries, e, o));
-        value = scale * scale * value - (h(e) * t(o) + t(e) * h(o)) / 3 + b * t(e) * t(o);
-        const int ik = component<D>(e), jl = component<D>(o);
-        if (!linear) value -= turned * turn(ik / 3, jl % 3) * turn(jl / 3, ik % 3);
-      }
-    at.coupling.row(q) = h / 3 - b * t;
-    at.square(q) = b;
+    at.coupling.row(q) = coupling;
+    at.square(q) = square;
   }
 }
 
@@ -230,13 +213,13 @@ template <int D> Kernels projected_kernels() {
 
 template <int D>
 std::optional<Inversion> projected_force(const Body<D>& body, int m, const double* displacement,
-                                         ElementArrays<D>& arrays, bool tangent, std::span<const double> committed,
-                                         std::span<double> trial, const double* before) {
+                                         ElementArrays<D>& arrays, bool tangent, const Memory& memory,
+                                         const double* before) {
   constexpr int entries = entries_in(D);
   const MacroElement& macro = body.macros().list[m];
   MacroArrays<D>& state = arrays.macro;
   if (const auto inversion = write_deformations(body, m, displacement, state)) return inversion;
-  project_deformations(body.linear(), macro, state);
+  project_deformations(body.small_strains(), macro, state);
   if (before)
     project_prediction(body, macro, displacement, before, arrays);
   else
@@ -246,15 +229,12 @@ std::optional<Inversion> projected_force(const Body<D>& body, int m, const doubl
   if (tangent) state.moduli.resize(state.f.rows(), packed_size(entries));
   const PointBlock block{static_cast<int>(state.dilation.size()), static_cast<int>(state.f.rows()), state.f.data(),
                          state.stress.data(), tangent ? state.moduli.data() : nullptr};
-  if (body.internal_variables() == 0)
-    body.material().template respond<D>()(body.material().law(), block);
-  else
-    respond_with_variables(body, macro, block, committed, trial);
+  respond(body, macro, block, memory, state);
 
-  write_mean_stress(body.linear(), state);
+  write_mean_stress(body.small_strains(), state);
   project(macro, state.mean, state, state.excess);
   state.excess -= state.mean;
-  write_projected_response(body.linear(), tangent, state);
+  write_projected_response(body.small_strains(), tangent, state);
 
   const std::size_t n = macro.functions.size();
   std::fill_n(arrays.force.data(), D * n, 0.0);
@@ -276,30 +256,25 @@ std::optional<Inversion> projected_force(const Body<D>& body, int m, const doubl
   return std::nullopt;
 }
 
-template <int D>
-double projected_energy(const Body<D>& body, int m, const double* displacement, std::span<const double> committed) {
+template <int D> bool visit_projected(const Body<D>& body, int m, const double* displacement, const VisitPoint& visit) {
   const MacroElement& macro = body.macros().list[m];
   MacroArrays<D> state;
-  if (write_deformations(body, m, displacement, state)) return std::numeric_limits<double>::infinity();
-  project_deformations(body.linear(), macro, state);
+  if (write_deformations(body, m, displacement, state)) return false;
+  project_deformations(body.small_strains(), macro, state);
   const PointBlock block{static_cast<int>(state.dilation.size()), static_cast<int>(state.f.rows()), state.f.data(),
                          nullptr, nullptr};
-  const std::size_t variables = committed.empty() ? 0 : body.internal_variables();
-  double sum = 0;
   int point = 0;
   for (int e : macro.elements)
     for (int q = 0; q < body.tables().element(e).points; ++q, ++point)
-      sum += macro.weights(point) *
-             body.material().energy(deformation_at<D>(block, point),
-                                    committed.subspan((body.tables().element(e).point + q) * variables, variables));
-  return sum;
+      visit(body.tables().element(e).point + q, macro.weights(point), deformation_at<D>(block, point));
+  return true;
 }
 
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \
   template Kernels projected_kernels<D>();                                                                             \
   template std::optional<Inversion> projected_force(const Body<D>&, int, const double*, ElementArrays<D>&, bool,       \
-                                                    std::span<const double>, std::span<double>, const double*);        \
-  template double projected_energy(const Body<D>&, int, const double*, std::span<const double>);
+                                                    const Memory&, const double*);                                     \
+  template bool visit_projected(const Body<D>&, int, const double*, const VisitPoint&);
 SIGNORINI_INSTANTIATE(2)
 SIGNORINI_INSTANTIATE(3)
 #undef SIGNORINI_INSTANTIATE

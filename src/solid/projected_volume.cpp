@@ -34,13 +34,13 @@ std::optional<Inversion> write_deformations(const Body<D>& body, int m, const do
       const double across = 1 + (hoops ? u.row(0).dot(Eigen::Map<const Eigen::RowVectorXd>(hoops + q * n, n)) : 0);
       const Mat<3> f = in_space<D>(Mat<D>::Identity() + arrays.gradients.template block<D, D>(0, q * D), across);
       Mat<3> direction = Mat<3>::Identity();
-      if (!body.linear()) {
+      if (!body.small_strains()) {
         const double plane = f.template topLeftCorner<D, D>().determinant();
         for (double j : {plane, across})
           if (!(j > 0)) return Inversion{e, reference_point(body, e, q), j};
         direction = f.inverse().transpose();
       }
-      arrays.dilation(point) = dilation_of(body.linear(), f);
+      arrays.dilation(point) = dilation_of(body.small_strains(), f);
       for (int k = 0; k < entries_in(D); ++k) {
         const int place = component<D>(k);
         arrays.f(point, k) = f(place / 3, place % 3);
@@ -79,7 +79,9 @@ double ProjectedVolume<D>::change(const Body<D>& body, int e, const VectorX& xi,
                                   const double* displacement) {
   const int m = body.macros().containing(body.space(), e);
   const VectorX& values = coefficients(body, m, displacement);
-  return values.size() == 0 ? 0 : (body.macros().list[m].modes_at(xi).dot(values) - dilation_of(body.linear(), f)) / 3;
+  return values.size() == 0
+             ? 0
+             : (body.macros().list[m].modes_at(xi).dot(values) - dilation_of(body.small_strains(), f)) / 3;
 }
 
 template <int D>
@@ -90,7 +92,7 @@ double ProjectedVolume<D>::change_at(const Body<D>& body, int e, int q, const Ma
   Eigen::Index point = q;
   for (std::size_t cell = 0; macro.elements[cell] != e; ++cell)
     point += body.tables().element(macro.elements[cell]).points;
-  return values.size() == 0 ? 0 : (macro.modes.row(point).dot(values) - dilation_of(body.linear(), f)) / 3;
+  return values.size() == 0 ? 0 : (macro.modes.row(point).dot(values) - dilation_of(body.small_strains(), f)) / 3;
 }
 
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \

@@ -26,6 +26,14 @@ constexpr int packed_size(int entries) {
   return entries * (entries + 1) / 2;
 }
 
+/// Internal variables of the points of a block: `variables` values per point, point by point.
+struct PointMemory {
+  const double* committed = nullptr; ///< at the start of the step; null: there are none
+  double* trial = nullptr;           ///< output; null: not wanted
+  int variables = 0;                 ///< per point
+  double duration = 0;               ///< of the step; infinite: until nothing changes any more
+};
+
 /// Points in rows of `stride` values, one row per entry. Rows are readable and writable up to whole vectors, and hold
 /// valid F there.
 struct PointBlock {
@@ -33,10 +41,11 @@ struct PointBlock {
   double* f; ///< input; under plane stress the last row is output
   double* stress;
   double* moduli; ///< null: not wanted
+  PointMemory memory = {};
 };
 
-/// Computes stress and moduli for F with positive determinant. Under plane stress F₃₃ is not positive where there is no
-/// stretch with P₃₃ = 0.
+/// Computes stress, moduli and trial values for F with positive determinant. Under plane stress F₃₃ is not positive
+/// where there is no stretch with P₃₃ = 0.
 using Respond = void (*)(const void* law, const PointBlock& block);
 
 } // namespace signorini::solid

@@ -25,7 +25,7 @@ Mat<3> deformation_at_point(const Body<D>& body, int e, int q, const double* dis
     if (body.kind() == Kind::plane_stress) across = body.material().thickness_stretch(f);
   const Mat<3> result = in_space<D>(f, across);
   if (body.volumetric() == Volumetric::pointwise) return result;
-  return dilated(body.linear(), result, volume.change_at(body, e, q, result, displacement));
+  return dilated(body.small_strains(), result, volume.change_at(body, e, q, result, displacement));
 }
 
 } // namespace

@@ -9,6 +9,7 @@
 #include "solid/linear_elastic.hpp"
 #include "solid/neo_hookean.hpp"
 
+#include <limits>
 #include <map>
 
 namespace signorini::solid::test {
@@ -45,14 +46,13 @@ struct Assembled {
   std::optional<Inversion> inversion;
 };
 
-/// `committed`, `trial` and `before` as for internal_force().
+/// `memory` and `before` as for internal_force().
 template <int D>
-Assembled assemble(const Body<D>& body, const VectorX& u, std::span<const double> committed = {},
-                   std::span<double> trial = {}, const double* before = nullptr) {
+Assembled assemble(const Body<D>& body, const VectorX& u, const Memory& memory = {}, const double* before = nullptr) {
   Assembled sum{VectorX::Zero(u.size()), MatrixX::Zero(u.size(), u.size()), {}};
   ElementArrays<D> arrays(body);
   for (int e = 0; e < body.macro_elements(); ++e) {
-    if ((sum.inversion = internal_force(body, e, u.data(), arrays, true, committed, trial, before))) return sum;
+    if ((sum.inversion = internal_force(body, e, u.data(), arrays, true, memory, before))) return sum;
     const auto functions = body.functions_of_macro(e);
     const int n = std::ssize(functions);
     const auto dof = [&](int a, int i) { return D * functions[a] + i; };
@@ -68,6 +68,20 @@ Assembled assemble(const Body<D>& body, const VectorX& u, std::span<const double
     }
   }
   return sum;
+}
+
+/// ∫ W dV of a step, whose derivative is the force.
+template <int D> double step_energy(const Body<D>& body, const double* displacement, const Memory& memory) {
+  const std::size_t variables = body.internal_variables();
+  double sum = 0;
+  const bool valid = visit_points(body, displacement, memory, [&](std::size_t point, double weight, const Mat<3>& f) {
+    const auto committed = memory.committed.subspan(point * variables, variables);
+    sum += weight * body.material().energy(f, {committed, {}, memory.duration});
+  });
+  return valid ? sum : std::numeric_limits<double>::infinity();
+}
+template <int D> double stored_energy(const Body<D>& body, const double* displacement) {
+  return account(body, displacement).stored;
 }
 
 /// Prescribes component c of all control points of a face as `value`(X).

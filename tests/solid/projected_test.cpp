@@ -27,14 +27,15 @@ template <int D> std::vector<Body<D>> projected(const std::vector<Body<D>>& bodi
 /// Neo-Hooke without kernels of its own, with one internal variable that changes nothing.
 struct WithVariable : NeoHookean {
   static constexpr auto name = "neo-Hooke with a variable";
-  std::vector<double> initial_values() const { return {0}; }
-  double energy(const Mat<3>& f, std::span<const double>) const { return NeoHookean::energy(f); }
-  Mat<3> stress(const Mat<3>& f, std::span<const double>, std::span<double> trial) const {
-    trial[0] = f.determinant();
+  std::vector<double> initial_values(int) const { return {0}; }
+  double energy(const Mat<3>& f, const Memory&) const { return NeoHookean::energy(f); }
+  Mat<3> stress(const Mat<3>& f, const Memory& memory) const {
+    memory.trial[0] = f.determinant();
     return NeoHookean::stress(f);
   }
-  Moduli moduli(const Mat<3>& f, std::span<const double>) const { return NeoHookean::moduli(f); }
-  template <int D> static Kernels kernels(Kind, int) { return {generic_kernel<WithVariable, D>, nullptr, 0}; }
+  Moduli moduli(const Mat<3>& f, const Memory&) const { return NeoHookean::moduli(f); }
+  Account account(const Mat<3>& f, std::span<const double>) const { return {NeoHookean::energy(f), 0}; }
+  template <int D> static Kernels kernels(Kind kind, int) { return moduli_kernels_of<WithVariable, D>(kind); }
 };
 
 TEST(Projected, ForceAndTangentAreDerivativesInThePlane) {
@@ -127,7 +128,7 @@ TEST(Projected, LawsWithInternalVariablesKeepThemAtTheirPoints) {
     const VectorX u = random_displacement(random, body, 0.02);
     const std::vector<double> committed = initial_values(own);
     std::vector<double> trial(committed.size(), -1);
-    const Assembled at = assemble(own, u, committed, trial), expected = assemble(plain, u);
+    const Assembled at = assemble(own, u, {committed, trial}), expected = assemble(plain, u);
     EXPECT_LT((at.force - expected.force).norm(), 1e-12 * expected.force.norm());
     EXPECT_LT((at.tangent - expected.tangent).norm(), 1e-12 * expected.tangent.norm());
     for (double determinant : trial) EXPECT_GT(determinant, 0); // of all points

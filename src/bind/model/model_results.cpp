@@ -234,7 +234,7 @@ template <int D> int sample(const model::Model<D>& model, lua_State* L) {
 template <int D> int energy(const model::Model<D>& model, lua_State* L) {
   const model::Energies now = model::energies(model);
   push_fields(L, "stored", now.stored, "contact", now.contact, "friction", now.friction, "work", now.work,
-              "area_growth", now.growth, "debonding", now.debonding, "wear", now.wear);
+              "area_growth", now.growth, "debonding", now.debonding, "wear", now.wear, "viscous", now.viscous);
   return 1;
 }
 

@@ -28,7 +28,7 @@ const ArchiveKind kind{"checkpoint", 13, 13};
 using Parts = std::vector<ScenePart>;
 
 template <int D> void write_state(ArchiveWriter& to, const Snapshot<D>& saved) {
-  const auto& [displacement, targets, force, factor, time, contacts, internal] = saved.state;
+  const auto& [displacement, targets, force, factor, time, relaxed, contacts, internal] = saved.state;
   const auto& [increment, previous, before, targets_before, linear_error, quadratic_error, force_scale, work] =
       saved.path;
   to.put(displacement, increment, targets, previous, before, targets_before, force_scale, work, force, factor, time,
@@ -40,7 +40,7 @@ template <int D> void write_state(ArchiveWriter& to, const Snapshot<D>& saved) {
 
 /// Reads the state into a snapshot of a model of the same scene.
 template <int D> void read_state(ArchiveReader& from, const System<D>& system, Snapshot<D>& saved) {
-  auto& [displacement, targets, force, factor, time, contacts, internal] = saved.state;
+  auto& [displacement, targets, force, factor, time, relaxed, contacts, internal] = saved.state;
   auto& [increment, previous, before, targets_before, linear_error, quadratic_error, force_scale, work] = saved.path;
   const Eigen::Index dofs = displacement.size(), components = targets.size();
   from.into(displacement, increment, targets, previous, before, targets_before, force_scale, work, force, factor, time,

@@ -14,7 +14,7 @@ using solid::Material;
 
 template <int D> Mat<3> cauchy_stress(const Material& material, const FieldPoint<D>& point) {
   const Mat<3> f = solid::in_space<D>(point.deformation, point.hoop);
-  return material.cauchy_stress(solid::dilated(material.linear(), f, point.dilation));
+  return material.cauchy_stress(solid::dilated(material.small_strains(), f, point.dilation), {point.internal, {}, 0});
 }
 
 template <int D, int I> double displacement(const Material&, const FieldPoint<D>& point) {

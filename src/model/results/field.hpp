@@ -11,8 +11,9 @@ namespace signorini::model {
 /// The state at one material point.
 template <int D> struct FieldPoint {
   Vec<D> displacement;
-  Mat<D> deformation;  ///< F
-  double hoop = 1;     ///< F₃₃ of a plane body: the hoop stretch, under plane stress that of the thickness
+  Mat<D> deformation; ///< F
+  double hoop = 1;    ///< F₃₃ of a plane body: the hoop stretch, under plane stress that of the thickness
+  std::vector<double> internal = {}; ///< internal variables of the material, see solid::values_at()
   double dilation = 0; ///< c = (Pθ − θ)/3 with projected volume change, for the stress (solid/projection.hpp)
 };
 

@@ -61,8 +61,9 @@ template <int D> Vec<D> load_resultant(const Model<D>& model, int load) {
 
 template <int D> Energies energies(const Model<D>& model) {
   const VectorX& displacement = model.present.displacement;
-  Energies sum{model.system.springs.energy(displacement), 0, 0, model.path.work};
-  sum.stored += model.system.assembly.bulk().stored_energy(displacement, model.accepted.internal);
+  const solid::Account bulk = model.system.assembly.bulk().account(displacement, model.present.internal);
+  Energies sum{model.system.springs.energy(displacement) + bulk.stored, 0, 0, model.path.work};
+  sum.viscous = bulk.viscous;
   for (std::size_t k = 0; k < model.present.contacts.size(); ++k) {
     const contact::History<D>& history = model.present.contacts[k];
     sum.contact += contact::potential(*model.system.contacts[k], history);

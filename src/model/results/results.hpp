@@ -26,7 +26,8 @@ struct Energies {
   double work;          ///< of supports, loads and offsets in all accepted steps, by the trapezoidal rule
   double debonding = 0; ///< dissipated by bonds in all accepted steps
   double growth = 0; ///< ∫∫ φ dA in all accepted steps, see contact::History; zero if tractions act per reference area
-  double wear = 0; ///< energy that wear has taken along in all accepted steps
+  double viscous = 0; ///< work of the stresses that relax, in all accepted steps
+  double wear = 0;    ///< energy that wear has taken along in all accepted steps
 };
 /// Energies of the present state, with friction and work up to the accepted one.
 template <int D> Energies energies(const Model<D>& model);

@@ -26,9 +26,10 @@ template <int D> BodyPoint<D> body_point(const Model<D>& model, int body, int e,
   }
   point.state.deformation = Mat<D>::Identity() + rate * jacobian.inverse();
   const solid::Body<D>& solid = *model.system.scene.bodies[body].body;
+  point.state.internal = solid::values_at(solid, e, xi, model.present.internal[body]);
   if constexpr (D == 2)
     if (solid.kind() == solid::Kind::plane_stress)
-      point.state.hoop = solid.material().thickness_stretch(point.state.deformation);
+      point.state.hoop = solid.material().thickness_stretch(point.state.deformation, {point.state.internal, {}, 0});
   if (solid.kind() == solid::Kind::axisymmetric) {
     // F_θθ = 1 + u_r/R → 1 + ∂u_r/∂R on the axis; at smaller radii the quotient is rounding error
     const double radius = point.reference(0), size = jacobian.cwiseAbs().maxCoeff();
@@ -100,7 +101,8 @@ template <int D> BodyPoint<D> regular_point(const Model<D>& model, int body, int
   const nurbs::Discretization& space = solid.space();
   // F is unbounded towards a flat corner, and det F may be negative next to and between the Gauss points.
   const auto is_inverted = [&](const BodyPoint<D>& at) {
-    return !solid.linear() && (at.state.deformation.determinant() <= 0 || at.state.hoop <= 0); // not where it is nan
+    return !solid.small_strains() &&
+           (at.state.deformation.determinant() <= 0 || at.state.hoop <= 0); // not where it is nan
   };
   const GaussBox<D> box = gauss_box<D>(space, e, xi);
   const bool flat = box.border && is_flat_corner<D>(body_point(model, body, e, *box.border).jacobian);

@@ -193,7 +193,7 @@ template <int D> bool is_deformed(const Model<D>& model) {
   for (const NamedBody<D>& named : model.system.scene.bodies)
     bound += 0.5 * named.body->material().constants().youngs_modulus * deformed_strain * deformed_strain *
              named.body->tables().volumes().sum();
-  return model.system.assembly.bulk().stored_energy(model.accepted.displacement, model.accepted.internal) > bound;
+  return model.system.assembly.bulk().account(model.accepted.displacement, model.accepted.internal).stored > bound;
 }
 
 template <int D> void begin_contacts(Model<D>& model, const ActiveSetOptions& options) {

@@ -57,10 +57,12 @@ template <int D> void set_penalty_factor(Model<D>& model, double factor) {
 }
 
 template <int D> void set_time(Model<D>& model, double time) {
-  require(std::isfinite(time) && time >= model.accepted.time, "model.step.time",
-          {{"time", time}, {"accepted", model.accepted.time}});
-  if (time == model.present.time) return;
+  require(time >= model.accepted.time, "model.step.time", {{"time", time}, {"accepted", model.accepted.time}});
+  const bool relaxed = std::isinf(time);
+  if (relaxed) time = model.accepted.time;
+  if (time == model.present.time && relaxed == model.present.relaxed) return;
   model.present.time = time;
+  model.present.relaxed = relaxed;
   model.step.reset();
 }
 
@@ -75,7 +77,7 @@ template <int D> bool settled(const Model<D>& model) {
   const State<D>&accepted = model.accepted, &present = model.present;
   const auto same_law = [](const auto& a, const auto& b) { return a.changes == b.changes; };
   return !model.step && present.displacement == accepted.displacement && model.targets == accepted.targets &&
-         present.penalty_factor == accepted.penalty_factor && present.time == accepted.time &&
+         present.penalty_factor == accepted.penalty_factor && present.time == accepted.time && !present.relaxed &&
          std::ranges::equal(present.contacts, accepted.contacts, same_law);
 }
 
@@ -122,6 +124,7 @@ template <int D> void take_present(Model<D>& model) {
   record_increment(model, increment);
   path.work += 0.5 * (balanced_force(model) + present.force.head(displacements)).dot(increment.head(displacements));
   present.targets = model.targets;
+  present.relaxed = false;
   accepted = present;
   path.force_scale = force_norm(model);
   model.definite = model.step->definite;

@@ -59,8 +59,9 @@ template <int D> double accepted_target(const Model<D>& model, int drive, int co
 /// Throws Error unless it is a positive number.
 template <int D> void set_penalty_factor(Model<D>& model, double factor);
 
-/// Sets the time at the end of the next step, with the accepted state's by default a step without a duration; a
-/// roll-back restores it. Throws Error if it is earlier.
+/// Sets the time at the end of the next step, with the accepted state's by default a step without a duration; infinite:
+/// the step lasts until nothing changes any more, and the clock stays. A roll-back restores it. Throws Error if it is
+/// earlier.
 template <int D> void set_time(Model<D>& model, double time);
 
 /// Changes the constants of a contact (index into Scene::contacts), from the next step on; a roll-back restores those

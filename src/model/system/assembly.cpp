@@ -90,7 +90,7 @@ std::optional<BodyInversion> Assembly<D>::add_bodies_and_evaluate_contacts(const
   std::vector<contact::History<D>>& histories = present.contacts.own();
   for (std::size_t k = 0; k < contacts_.size(); ++k) {
     trials.push_back({histories[k], accepted.contacts[k], controls[k], present.penalty_factor,
-                      present.displacement.data() + unknowns_.of_contact(k).extra, present.time - accepted.time});
+                      present.displacement.data() + unknowns_.of_contact(k).extra, duration(evaluation.states)});
     for (int part = 0; part < contacts_[k]->parts(); ++part) contact_tasks.push_back({k, part});
   }
   const auto add_heads = [&](std::size_t contacts) {

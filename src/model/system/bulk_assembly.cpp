@@ -99,7 +99,7 @@ void multiply(const Functions& functions, int offset, const double* block, const
 
 template <int D>
 BulkAssembly<D>::BulkAssembly(const Scene<D>& scene, const Unknowns<D>& unknowns, const TieTerms& ties)
-    : scene_(scene), unknowns_(unknowns), energies_(scene.bodies.size()) {
+    : scene_(scene), unknowns_(unknowns), accounts_(scene.bodies.size()) {
   const auto& bodies = scene.bodies;
   const bool linear = std::ranges::all_of(bodies, [](const auto& named) { return named.body->linear(); });
   if (linear) stiffness_ = stiffness_of(scene);
@@ -229,7 +229,8 @@ template <int D> void BulkAssembly<D>::add_element(int e, const Evaluation<D>& e
   const bool multiplies = evaluation.direction && supported;
   if (const auto inversion =
           internal_force(body, e, present.displacement.data() + offset, task.arrays, evaluation.tangent || multiplies,
-                         accepted.internal[b], present.internal[b], before ? before->data() + offset : nullptr)) {
+                         {accepted.internal[b], present.internal[b], duration(evaluation.states)},
+                         before ? before->data() + offset : nullptr)) {
     task.inverted = BodyInversion{b, *inversion};
     return;
   }
@@ -245,27 +246,31 @@ template <int D> void BulkAssembly<D>::add_element(int e, const Evaluation<D>& e
 }
 
 template <int D>
-double BulkAssembly<D>::stored_energy(int index, const VectorX& displacement,
-                                      const std::vector<std::vector<double>>& internal) const {
+solid::Account BulkAssembly<D>::account(int index, const VectorX& displacement,
+                                        const std::vector<std::vector<double>>& internal) const {
   const solid::Body<D>& body = *scene_.bodies[index].body;
   const Eigen::Map<const VectorX> own(displacement.data() + unknowns_.offset(index), D * body.functions());
   if (stiffness_.empty()) {
-    KnownEnergy& known = energies_[index];
+    KnownAccount& known = accounts_[index];
     if (known.displacement.size() != own.size() || known.displacement != own || known.internal != internal[index])
-      known = {own, internal[index], solid::stored_energy(body, own.data(), internal[index])};
-    return known.energy;
+      known = {own, internal[index], solid::account(body, own.data(), internal[index])};
+    return known.account;
   }
   // ½ u·K u
   VectorX force = VectorX::Zero(own.size());
   stiffness_[index].multiply(own.data(), force.data());
-  return 0.5 * force.dot(own);
+  return {0.5 * force.dot(own), 0};
 }
 
 template <int D>
-double BulkAssembly<D>::stored_energy(const VectorX& displacement,
-                                      const std::vector<std::vector<double>>& internal) const {
-  double sum = 0;
-  for (int b = 0; b < std::ssize(scene_.bodies); ++b) sum += stored_energy(b, displacement, internal);
+solid::Account BulkAssembly<D>::account(const VectorX& displacement,
+                                        const std::vector<std::vector<double>>& internal) const {
+  solid::Account sum;
+  for (int b = 0; b < std::ssize(scene_.bodies); ++b) {
+    const solid::Account own = account(b, displacement, internal);
+    sum.stored += own.stored;
+    sum.viscous += own.viscous;
+  }
   return sum;
 }
 

@@ -44,9 +44,9 @@ public:
   void add_head(std::size_t task, const Evaluation<D>& evaluation);
   /// Adds all other parts.
   void add_tails(const Evaluation<D>& evaluation);
-  /// Energy stored in a body at a displacement and internal variables of all, see solid::stored_energy(), and in all.
-  double stored_energy(int body, const VectorX& displacement, const std::vector<std::vector<double>>& internal) const;
-  double stored_energy(const VectorX& displacement, const std::vector<std::vector<double>>& internal) const;
+  /// Energies of a body at a displacement and internal variables of all, see solid::account(), and of all.
+  solid::Account account(int body, const VectorX& displacement, const std::vector<std::vector<double>>& internal) const;
+  solid::Account account(const VectorX& displacement, const std::vector<std::vector<double>>& internal) const;
   /// Bytes of patterns, positions and matrices.
   double memory() const;
 
@@ -57,10 +57,10 @@ private:
     bool whole;                 ///< see whole_nodes()
     std::size_t first_position; ///< in positions_
   };
-  struct KnownEnergy {
+  struct KnownAccount {
     VectorX displacement;
     std::vector<double> internal;
-    double energy = 0;
+    solid::Account account;
   };
   void find_positions(const std::vector<std::vector<int>>& groups);
   void add_elements(const std::vector<int>& elements, const Evaluation<D>& evaluation, Task& task);
@@ -74,8 +74,8 @@ private:
   solve::Pattern pattern_;
   std::vector<std::vector<Element>> elements_; ///< [body][element]
   std::vector<int> own_positions_, positions_; ///< see scatter(): in pattern(), in the tangent
-  /// By nonlinear body: the last energy. At the end of a stage it is used twice.
-  mutable std::vector<KnownEnergy> energies_;
+  /// By nonlinear body: the last energies. At the end of a stage they are used twice.
+  mutable std::vector<KnownAccount> accounts_;
 };
 
 } // namespace signorini::model

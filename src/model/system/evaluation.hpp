@@ -6,6 +6,7 @@
 #include "model/system/unknowns.hpp"
 #include "solve/pattern.hpp"
 
+#include <limits>
 #include <optional>
 
 namespace signorini::model {
@@ -54,6 +55,12 @@ template <int D> struct States {
   const VectorX* before = nullptr; ///< displacement before Newton's last correction, see solid::internal_force(); null:
                                    ///< no correction follows
 };
+
+/// Duration of the step.
+template <int D> double duration(const States<D>& states) {
+  if (states.present.relaxed) return std::numeric_limits<double>::infinity();
+  return states.present.time - states.accepted.time;
+}
 
 template <int D> struct Evaluation {
   const States<D>& states;

@@ -13,6 +13,7 @@ template <int D> struct State {
   VectorX force;             ///< f_int + f_c of all degrees of freedom in the last evaluation
   double penalty_factor = 1; ///< on all penalty parameters
   double time = 0;           ///< of stages with a duration
+  bool relaxed = false;      ///< the step to this state lasts until nothing changes any more; never of an accepted one
   /// Shared, since those of contacts with many points are large, and most states are only kept.
   SharedList<contact::History<D>> contacts;
   std::vector<std::vector<double>> internal; ///< internal variables of the materials, by body; empty without any

@@ -111,7 +111,7 @@ System<D>::System(Scene<D> given)
 }
 
 template <int D> State<D> System<D>::start() const {
-  State<D> state{VectorX::Zero(unknowns.dofs()), drives.start(), VectorX::Zero(unknowns.dofs()), 1, 0, {}, {}};
+  State<D> state{VectorX::Zero(unknowns.dofs()), drives.start(), VectorX::Zero(unknowns.dofs()), 1, 0, false, {}, {}};
   for (const auto& contact : contacts) state.contacts.own().push_back(initial_history(*contact));
   for (const auto& named : scene.bodies) state.internal.push_back(solid::initial_values(*named.body));
   return state;

@@ -74,7 +74,7 @@ template <int D> void warn_of_springs(const Model<D>& model, int index, std::vec
   for (int b = 0; b < std::ssize(scene.bodies) && !lost; ++b)
     if (is_behind(b))
       strain += std::max( // rounding errors can be negative
-          model.system.assembly.bulk().stored_energy(b, model.present.displacement, model.accepted.internal), 0.0);
+          model.system.assembly.bulk().account(b, model.present.displacement, model.present.internal).stored, 0.0);
   const double part = sum.normal / (strain + sum.normal), approach = 2 * (strain + sum.normal) / sum.force;
   const bool stuck = law.friction > 0 && law.enforcement != contact::Enforcement::multipliers;
   // A contact that touches at rounding error has a penetration p/ε far below an element's size.

@@ -70,7 +70,7 @@ template <int D> void warn_of_large_strains(const Model<D>& model, std::vector<M
   for (std::size_t b = 0; b < model.system.scene.bodies.size(); ++b) {
     const auto& [name, body] = model.system.scene.bodies[b];
     const auto displacement = body_displacement(model, static_cast<int>(b));
-    if (!body->linear() || displacement.isZero(0)) continue;
+    if (!body->small_strains() || displacement.isZero(0)) continue;
     const auto means = solid::mean_deformations(*body, displacement.data());
     Distortion worst{0, 0};
     int element = 0;

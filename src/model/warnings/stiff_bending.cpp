@@ -44,12 +44,12 @@ BentPoint<D> bent_point(const solid::Body<D>& body, const nurbs::ElementBasis& b
   const Mat<D> inverse = derivatives<D>(points, basis).inverse();
   const Mat<D> gradient = derivatives<D>(displacements, basis) * inverse;
   Mat<D> strain = (gradient + gradient.transpose()) / 2;
-  if (!body.linear()) strain += gradient.transpose() * gradient / 2;
+  if (!body.small_strains()) strain += gradient.transpose() * gradient / 2;
   double hoop = 0;
   BentPoint<D> point{volume, 0, {}, {}};
   if (body.kind() == solid::Kind::axisymmetric) {
     hoop = basis.combine(displacements)(0) / basis.combine(points)(0);
-    if (!body.linear()) hoop += hoop * hoop / 2;
+    if (!body.small_strains()) hoop += hoop * hoop / 2;
   }
   const double trace = strain.trace() + hoop;
   const Mat<D> stress = moduli.lame * trace * Mat<D>::Identity() + 2 * moduli.shear * strain;
