@@ -4,6 +4,7 @@
 #include "solid/hyperelastic.hpp"
 #include "solid/linear_elastic.hpp"
 #include "solid/neo_hookean.hpp"
+#include "solid/viscoelastic.hpp"
 #include "symbolic/archive.hpp"
 
 #include <algorithm>
@@ -16,6 +17,9 @@ constexpr Volumetric last_value(std::type_identity<Volumetric>) {
 }
 constexpr Measure last_value(std::type_identity<Measure>) {
   return Measure::stretches;
+}
+constexpr Relaxes last_value(std::type_identity<Relaxes>) {
+  return Relaxes::all;
 }
 
 namespace {
@@ -60,8 +64,29 @@ Material read_formula(ArchiveReader& from) {
   return hyperelastic({std::move(label), measure, std::move(fibers), std::move(graph), energy});
 }
 
+void write_series(ArchiveWriter& to, const void* law) {
+  const Viscoelastic& own = *static_cast<const Viscoelastic*>(law);
+  write(to, own.elastic);
+  to.put(own.relaxes, static_cast<int>(own.series.size()));
+  for (const auto& [fraction, time] : own.series) to.put(fraction, time);
+}
+
+Material read_series(ArchiveReader& from) {
+  Material elastic = read(from, std::type_identity<Material>());
+  const auto relaxes = from.get<Relaxes>();
+  std::vector<Relaxation> series;
+  for (int i = from.get<int>(); i > 0; --i) {
+    const double fraction = from.get<double>();
+    series.push_back({fraction, from.get<double>()});
+  }
+  return viscoelastic(std::move(elastic), std::move(series), relaxes);
+}
+
 /// New laws are appended: files identify laws by their index.
-constexpr LawRow laws[] = {row<NeoHookean>(), row<LinearElastic>(), {Hyperelastic::name, write_formula, read_formula}};
+constexpr LawRow laws[] = {row<NeoHookean>(),
+                           row<LinearElastic>(),
+                           {Hyperelastic::name, write_formula, read_formula},
+                           {Viscoelastic::name, write_series, read_series}};
 
 } // namespace
 

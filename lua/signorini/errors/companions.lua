@@ -35,7 +35,9 @@ end
 local function changed_stages(list, change)
   return lists.map(list, function(stage)
     local contacts = change.penalty and stage.contacts and scaled_contacts(stage.contacts, change.penalty)
-    return lists.merged(stage, { steps = steps_of(stage.steps, change.steps or 1), contacts = contacts })
+    local count = steps_of(stage.steps, change.steps or 1)
+    return lists.merged(stage, { steps = count, growth = stage.growth and stage.growth ^ (stage.steps / count),
+                                 contacts = contacts })
   end)
 end
 

@@ -106,6 +106,29 @@ end }]], [[
 sg.hyperelastic{ fibers = { {1, 0} }, energy = function(I1, I2, J, I4)
   return 0.2 * (I1 - 3) - 0.4 * sg.log(J) + 0.5 * sg.log(J)^2 + 0.3 * (sg.exp((I4 - 1)^2) - 1)
 end }]] } },
+  { "sg.viscoelastic", [[Returns a viscoelastic material: an elastic one, whose constants are those of fast loading, and
+the fractions of its stress that relax with time. Only stages with a duration relax. ]] .. in_2d,
+    named = {
+      { "law", t.object "material", "the elastic material, of any kind" },
+      { "g", t.list(t.positive, nil, 1), "fraction of the stress that relaxes, one per term; their sum is below 1" },
+      { "tau", t.list(t.positive, nil, 1), "relaxation time, one per term", unit = "time" },
+      { "relaxes", t.choice { "shape", "all" }, [[what relaxes: the stress of the change of shape, at constant bulk
+modulus, or all stress, at constant Poisson's ratio]], default = "shape" },
+      conflict = function(values)
+        if #values.g ~= #values.tau then
+          return ("g and tau must have one value per term, got %d and %d"):format(#values.g, #values.tau)
+        end
+      end,
+    },
+    more = [[A held strain relaxes to G(t)/G(0) = 1 - sum of g (1 - exp(-t/tau)), the Prony series of Abaqus, Ansys and
+others. At large strains the overstresses are second Piola-Kirchhoff stresses; their work is the column viscous of
+model:energy(). A step of any duration is stable; its error is of second order in the duration relative to tau, and zero
+where the stress of the elastic law changes in proportion to time. Moduli that a relaxation test gives are divided by
+their sum, the one at once.
+Source: J. C. Simo, Comput. Methods Appl. Mech. Eng. 60, 1987; G. A. Holzapfel, Int. J. Numer. Methods Eng. 39, 1996;
+theory: share/doc/reference/theory.md, Bodies.]],
+    returns = t.object "material", example = [[
+rubber = sg.viscoelastic{ law = sg.neo_hookean{ E = 1, nu = 0.49 }, g = {0.3, 0.2}, tau = {0.1, 10} }]] },
   { "material", [[A material; print(material) shows law and constants. For a law from an energy E and nu are those of
 small strains, with fibers on average over all directions.]] },
 }

@@ -90,9 +90,10 @@ state.]],
   { "model:penalty_factor", "Returns the factor set by model:set_penalty_factor; initially 1.",
     returns = t.number, example = "finer:penalty_factor()  --> 1.0" },
   { "model:set_time", [[Sets the time at the end of the next step, from which the rates of slip of contacts with a
-formula of friction follow. Without a call the step has no duration. model:rollback restores the time of the accepted
-state.]],
-    arguments = { { "time", t.non_negative, "not before that of the accepted state", unit = "time" } },
+formula of friction follow, and the flow of viscoelastic materials. Without a call the step has no duration.
+model:rollback restores the time of the accepted state.]],
+    arguments = { { "time", t.either(t.non_negative, t.choice { "relaxed" }), [[not before that of the accepted state;
+"relaxed": the step lasts until nothing flows any more, and the clock stays]], unit = "time" } },
     example = "model:set_time(0.5)" },
   { "model:time", "Returns the time set by model:set_time or by stages with a duration; initially 0.",
     returns = t.number, example = "finer:time()  --> 0.0" },

@@ -96,8 +96,12 @@ Keller, in Applications of Bifurcation Theory, Academic Press, 1977.]],
     named = {
       { "name", t.text, "name in reports and on_step", otherwise = '"stage 1" and so on' },
       { "steps", t.count, "number of steps" },
-      { "duration", t.positive, [[length of the stage in time, in equal parts over its steps. Friction that
-depends on the slip rate needs it; nothing else depends on time]], unit = "time", optional = true },
+      { "duration", t.either(t.positive, t.choice { "relaxed" }), [[length of the stage in time. Viscoelastic
+materials flow only in stages with a duration, others are infinitely fast; friction that depends on the slip rate needs
+it; nothing else depends on time. "relaxed": as long as it takes until nothing flows any more; the clock stays]],
+        unit = "time", optional = true },
+      { "growth", t.positive, [[how much longer each step is than the one before, in time and in what
+it changes: 1.5 for relaxation over decades of time]], default = 1 },
       { "contacts", t.map(t.named(contact_change)), [[constants of contacts that change, by
 name: { active, penalty, friction, offset }. They act in full from the first step of the stage, except for offset, which
 changes linearly over the stage; all hold until another stage changes them, also in further runs]], optional = true },

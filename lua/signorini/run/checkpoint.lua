@@ -108,7 +108,7 @@ local stage = record("name", types.text, "steps iterations cutbacks", count, "wa
 local attempt = record("from to", number, "converged", types.flag, "reason", types.text, "iterations", count,
   "residuals", list_of(number), "fallback?", types.text)
 local shape = types.tuple({ record("path", list_of(record("name", types.text, "steps", count,
-    "duration?", number, "targets", data)),
+    "duration?", types.either(number, types.text), "growth?", number, "targets", data)),
   "place", record("stage number", count), "starts fits", types.map(data), "memory", types.map(flag_or_number),
   "names", list_of(types.text), "spent", types.map(number), "format?", count, "record", record(
     "rows steps iterations cutbacks fallback_steps wary", count, "wall", number, "stages", list_of(stage),

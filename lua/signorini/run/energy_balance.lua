@@ -40,9 +40,9 @@ end
 --- What is missing in the balance between two states of a path, positive if energy is lost. Tractions do not do the
 --- work ∫∫ φ dA of a growing area (φ: energy of the springs per area, see theory.md): area_growth is added.
 function energy_balance.missing(before, after)
-  local function change(name) return after[name] - before[name] end
+  local function change(name) return (after[name] or 0) - (before[name] or 0) end -- files of old runs lack some
   return change "work" + change "area_growth" - change "stored" - change "contact" - change "friction"
-    - change "debonding" - change "wear"
+    - change "debonding" - change "wear" - change "viscous"
 end
 
 --- The contact whose bonds lose most energy within one step of some steps of a run, the energy, and its law; nil
@@ -79,7 +79,7 @@ function energy_balance.warning(run, list, unbalanced)
     local a, b = list[i], list[i + 1]
     if not b then return nil end -- resumed from a file without these
     local done, stored = b.work - a.work, b.stored - a.stored
-    local dissipated = b.friction - a.friction + b.debonding - a.debonding + b.wear - a.wear
+    local dissipated = b.friction - a.friction + b.debonding - a.debonding + b.wear - a.wear + (b.viscous or 0) - (a.viscous or 0)
     local missing = math.abs(energy_balance.missing(a, b)) - math.max(math.abs(a.contact), math.abs(b.contact))
     local last = first + stage.steps - 1
     local histories = table.move(run.histories, first, last, 1, {})

@@ -42,8 +42,8 @@ end
 --- The data of a path, without what a run adds to it.
 local function outline(path)
   return lists.map(path, function(stage)
-    return { name = stage.name, steps = stage.steps, duration = stage.duration, targets = stage.targets,
-             paths = stage.paths, contacts = stage.contacts }
+    return { name = stage.name, steps = stage.steps, duration = stage.duration, growth = stage.growth,
+             targets = stage.targets, paths = stage.paths, contacts = stage.contacts }
   end)
 end
 

@@ -38,6 +38,16 @@ function stages.constant_loads(model, path)
   end)
 end
 
+--- The fraction of a stage, of its duration and of the way to its targets, at the fraction `part` of step `number`: each
+--- step is `growth` times as long as the one before.
+function stages.fraction(stage, number, part)
+  local growth = stage.growth
+  if not growth or growth == 1 then return (number - 1 + part) / stage.steps end
+  local function reached(steps) return (growth ^ steps - 1) / (growth ^ stage.steps - 1) end
+  local from = reached(number - 1)
+  return from + part * (reached(number) - from)
+end
+
 -- ── Arguments ────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 --- The rows of a stage of this model: targets, lists by driven component, after the rows of every stage.
@@ -96,14 +106,15 @@ local function jump(course, now, path, name, stage)
       braces(path[1]))
 end
 
-local function values_along(model, course, name, label, steps)
+local function values_along(model, course, name, label, stage)
   local components, path = stages.components(model, name), {}
-  for k = 1, steps do
-    local values, given = values_of(course(k / steps), #components)
+  for k = 1, stage.steps do
+    local fraction = stages.fraction(stage, k, 1)
+    local values, given = values_of(course(fraction), #components)
     if not values then
       core.fail(("%s: %s.%s must return %s (%s), got %s for the fraction %g. Hint: it is called with the fraction of "
         .. "the stage at the end of each step, as in function(s) return %s end"):format(where, label, name,
-          counted(#components, "finite number"), table.concat(components, ", "), given, k / steps,
+          counted(#components, "finite number"), table.concat(components, ", "), given, fraction,
           #components == 1 and "0.1 * s" or "{" .. ("0, "):rep(#components - 1) .. "0.1 * s}"))
     end
     path[k] = values
@@ -144,7 +155,7 @@ local function read_stage(model, rows, index, stage, options, now)
   for _, name in ipairs(names) do
     local goal = stage[name]
     if type(goal) == "function" then
-      paths[name] = values_along(model, goal, name, label, values.steps)
+      paths[name] = values_along(model, goal, name, label, values)
       jumps[#jumps + 1] = jump(goal, now[name], paths[name], name, title)
       goal = paths[name][values.steps]
     end
@@ -158,8 +169,8 @@ local function read_stage(model, rows, index, stage, options, now)
   local contacts = lists.merged(values.contacts or {})
   contact_changes.check(model, where, label, contacts, options)
   check_duration(model, label, title, values.duration, options)
-  return { name = title, steps = values.steps, duration = values.duration, targets = targets, paths = paths,
-           contacts = contacts, jumps = jumps }
+  return { name = title, steps = values.steps, duration = values.duration, growth = values.growth, targets = targets,
+           paths = paths, contacts = contacts, jumps = jumps }
 end
 
 --- The stages, each { name, steps, targets (by support or load), paths (values of functions at the ends of steps),
@@ -190,23 +201,26 @@ end
 --- The values of a support or load at the fraction `part` of step `number`, exact at its end, in the list `into`.
 function stages.at(stage, name, number, part, into)
   local from, to = ends(stage, name, number)
-  local share = to and part or (number - 1 + part) / stage.steps
+  local share = to and part or stages.fraction(stage, number, part)
   from, to = from or stage.starts[name], to or stage.targets[name]
   for i = 1, #to do into[i] = share == 1 and to[i] or from[i] + (to[i] - from[i]) * share end
   return into
 end
 
---- The time at the fraction `part` of step `number`, nil without a duration.
+--- The time at the fraction `part` of step `number` for model:set_time, nil without a duration.
 function stages.time(stage, number, part)
   if not stage.duration then return nil end
-  return stage.starts[stages.clock][1] + stage.duration * ((number - 1 + part) / stage.steps)
+  if stage.duration == "relaxed" then return "relaxed" end
+  return stage.starts[stages.clock][1] + stage.duration * stages.fraction(stage, number, part)
 end
 
 --- The change of component i in step `number`.
 function stages.change(stage, name, number, i)
   local from, to = ends(stage, name, number)
   if to then return to[i] - from[i] end
-  return (stage.targets[name][i] - stage.starts[name][i]) / stage.steps
+  local whole = stage.targets[name][i] - stage.starts[name][i]
+  if not stage.growth or stage.growth == 1 then return whole / stage.steps end
+  return whole * (stages.fraction(stage, number, 1) - stages.fraction(stage, number, 0))
 end
 
 --- The values one step ahead of the accepted ones: from their actual values, not from those at a fraction of the step.

@@ -66,7 +66,7 @@ function Step:set_targets(to)
   end
   local time = stages.time(stage, self.number, to)
   if time then self.model:set_time(time) end
-  contact_changes.set(self.model, stage, (self.number - 1 + to) / stage.steps)
+  contact_changes.set(self.model, stage, stages.fraction(stage, self.number, to))
 end
 
 --- Sets the factor of the penalties at the fraction `to` of the step, if they grow along the path.
@@ -226,9 +226,10 @@ end
 --- True if the step changes a target; without that there is no path that arc length could follow.
 function Step:changes_targets() return stages.moves(self.model, self.stage, self.number) end
 
---- True if the step changes a target, the penalties or an offset.
+--- True if the step changes a target, the penalties or an offset, or if something flows in it.
 function Step:moves()
   local penalty = self.options.penalty
+  if type(self.stage.duration) == "number" and core.flows(self.model) then return true end
   return contact_changes.ramps(self.stage) or penalty and self.run.steps < penalty.steps or self:changes_targets()
 end
 
@@ -266,7 +267,7 @@ end
 
 --- What drives the path at a fraction of the step, in words: "edge.angle = 69.86".
 function Step:place(part)
-  local there = (self.number - 1 + part) / self.stage.steps
+  local there = stages.fraction(self.stage, self.number, part)
   return table.concat(lists.joined(stages.places(self.model, self.stage, self.number, part),
     contact_changes.places(self.stage, there)), ", ")
 end

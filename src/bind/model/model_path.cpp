@@ -13,6 +13,7 @@
 #include "model/steps/load_step.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace signorini::bind {
 
@@ -252,6 +253,13 @@ template <int D> int diagnose(model::Model<D>& model, const std::vector<std::str
   return 1;
 }
 
+/// model:set_time(time or "relaxed")
+template <int D> int set_time(model::Model<D>& model, lua_State* L) {
+  const bool relaxed = lua_type(L, 2) == LUA_TSTRING;
+  model::set_time(model, relaxed ? std::numeric_limits<double>::infinity() : to<double>(L, 2));
+  return 0;
+}
+
 template <int D>
 constexpr Function model_path_entries[] = {
     {"driven", call<driven<D>>},
@@ -262,7 +270,7 @@ constexpr Function model_path_entries[] = {
     {"solve_arc", call<solve_arc<D>>},
     {"set_penalty_factor", call<model::set_penalty_factor<D>>},
     {"penalty_factor", call<[](const model::Model<D>& model) { return model.present.penalty_factor; }>},
-    {"set_time", call<model::set_time<D>>},
+    {"set_time", call<set_time<D>>},
     {"time", call<[](const model::Model<D>& model) { return model.present.time; }>},
     {"last_length", call<model::last_length<D>>},
     {"accept", call<model::accept<D>>},

@@ -9,6 +9,7 @@
 #include "solid/linear_elastic.hpp"
 #include "solid/neo_hookean.hpp"
 #include "solid/stability.hpp"
+#include "solid/viscoelastic.hpp"
 
 #include <algorithm>
 
@@ -25,8 +26,16 @@ template <auto make> solid::Material material(const Arguments& a) {
   return make(a.get<double>("E"), a.get<double>("nu"));
 }
 
-/// A law of a formula has two more lines: "E = …, nu = … without strain", and the formula.
+/// A law of a formula has two more lines: "E = …, nu = … without strain", and the formula; a viscoelastic one that of
+/// its terms.
 std::string material_text(const solid::Material& material) {
+  if (const solid::Viscoelastic* law = solid::viscoelastic_law(material)) {
+    std::string terms;
+    for (const auto& [fraction, time] : law->series)
+      terms += text(terms.empty() ? "" : ", ", fraction, " within tau = ", time);
+    return text(material_text(law->elastic), "\n  of its ",
+                law->relaxes == solid::Relaxes::all ? "stress" : "stress of the change of shape", " relax ", terms);
+  }
   const solid::Hyperelastic* law = solid::hyperelastic_law(material);
   if (!law) return text(material.name(), ": ", constants_in_words(material));
   const solid::EnergyFormula& formula = law->formula();
@@ -35,6 +44,15 @@ std::string material_text(const solid::Material& material) {
   return text(formula.label, ": ", constants_in_words(material), " without strain", fibers.empty() ? "" : ", fibers ",
               fibers, "\n  W(", listed(formula.graph.variables()),
               ") = ", symbolic::text_of(formula.graph, formula.energy));
+}
+
+/// sg.viscoelastic{ law, g = {…}, tau = {…}, relaxes }
+solid::Material viscoelastic(const Arguments& a) {
+  const auto fractions = a.get<std::vector<double>>("g"), times = a.get<std::vector<double>>("tau");
+  std::vector<solid::Relaxation> series;
+  for (std::size_t i = 0; i < std::min(fractions.size(), times.size()); ++i) series.push_back({fractions[i], times[i]});
+  return solid::viscoelastic(a.object<solid::Material>("law"), std::move(series),
+                             choice<solid::Relaxes>(a.get<std::string>("relaxes"), {"shape", "all"}));
 }
 
 solid::Measure measure_of(const std::string& name) {
@@ -81,14 +99,23 @@ template <int D> int unstable_law(const model::Model<D>& model, lua_State* L) {
   return 0;
 }
 
-template <int D> constexpr Function law_of_model[] = {{"unstable_law", call<unstable_law<D>>}};
+/// core.flows(model): true if a body has a material in which stress relaxes with time.
+template <int D> bool flows(const model::Model<D>& model) {
+  return std::ranges::any_of(model.system.scene.bodies,
+                             [](const auto& named) { return solid::viscoelastic_law(named.body->material()); });
+}
+
+template <int D>
+constexpr Function law_of_model[] = {{"unstable_law", call<unstable_law<D>>}, {"flows", call<flows<D>>}};
 
 } // namespace
 
 void open_material(lua_State* L) {
   register_functions(
       L, "sg",
-      {{"neo_hookean", call<material<solid::neo_hookean>>}, {"linear_elastic", call<material<solid::linear_elastic>>}});
+      {{"neo_hookean", call<material<solid::neo_hookean>>},
+       {"linear_elastic", call<material<solid::linear_elastic>>},
+       {"viscoelastic", call<viscoelastic>}});
   register_functions(L, "core", {{"strain_symbols", strain_symbols}, {"hyperelastic", call<hyperelastic>}});
   register_functions<Model<2>, Model<3>>(L, "core", law_of_model<2>, law_of_model<3>);
   register_type<solid::Material>(L, {{"__tostring", call<material_text>}});

@@ -81,9 +81,9 @@ check.case("named arguments of nested tables, under any names", function()
 end)
 
 check.case("arguments of a stage, and the supports that the model moves", function()
-  check.equal(all "model:run{ { ", { "name = ", "steps = ", "duration = ", "contacts = ", "grip = " })
+  check.equal(all "model:run{ { ", { "name = ", "steps = ", "duration = ", "growth = ", "contacts = ", "grip = " })
   check.equal(all "run = model:run({ { steps = 1, grip = {0, 0} }, { name = 'slide', ",
-    { "steps = ", "duration = ", "contacts = ", "grip = " })
+    { "steps = ", "duration = ", "growth = ", "contacts = ", "grip = " })
 end)
 
 check.case("strings of choices, and names of an object's parts", function()

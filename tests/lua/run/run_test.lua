@@ -140,7 +140,7 @@ check.case("invalid stages and options are rejected before the first step", func
   local wrong = {
     { {}, "stages must be a list of stages", "write model:run{ {" },
     { { { steps = 2, gripp = { 0, 1 } } }, "unknown argument 'gripp'", "did you mean 'grip'?",
-      "name, steps, duration, contacts, edge, grip, gas" },
+      "name, steps, duration, growth, contacts, edge, grip, gas" },
     { { { steps = 2, { 0, 1 } } }, "stages[1] takes named arguments, got a list of 2 values without a name" },
     { { { steps = 2, bed = { 0, 1 } } }, "'bed'", "not driven", 'drive = "x"' },
     { { { steps = 2, grip = { 0 } } }, "grip must be a list of 2 numbers (ux, uy), got a list of 1 value" },

@@ -49,6 +49,8 @@ local of_key = {
   friction = { "energy", "dissipated by friction so far" },
   debonding = { "energy", "dissipated by bonds so far" },
   work = { "energy", "work of supports, loads and offsets so far" },
+  wear = { "energy", "energy that wear has taken along so far" },
+  viscous = { "energy", "work of the stresses that relax so far" },
   area_growth = { "energy", "energy of the springs times the growth of their area so far" },
 }
 for _, axis in ipairs { "x", "y", "z" } do

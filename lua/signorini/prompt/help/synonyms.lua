@@ -68,9 +68,11 @@ the invariants or of the principal stretches defines an elastic law; `fibers` ar
   { "incompressible, nearly incompressible, incompressibility, hybrid element, volumetric locking", [[nu must be below
 0.5; close to it, volumetric = "projected" of sg.body avoids locking, see share/doc/decide/locking.md.]], "sg.body",
     "sg.neo_hookean" },
-  { "plasticity, plastic, yield, yield stress, viscoelastic, viscoelasticity, creep, damage, steel", [[Materials are
-elastic: plasticity, viscosity and damage are not available. Steel below its yield stress is sg.linear_elastic at small
-rotations.]], "sg.linear_elastic", "sg.hyperelastic" },
+  { "plasticity, plastic, yield, yield stress, damage, steel", [[Materials are elastic or viscoelastic: plasticity and
+damage are not available. Steel below its yield stress is sg.linear_elastic at small rotations.]],
+    "sg.linear_elastic", "sg.hyperelastic" },
+  { "viscoelasticity, prony series, relaxation, creep, relaxation time", [[A Prony series makes any elastic material
+viscoelastic; stages with a `duration` relax.]], "sg.viscoelastic", "stage" },
   { "plane stress, thin plate",
     "The key `kind` of sg.model chooses plane stress, for all bodies of a model.", "sg.model" },
   { "shell, beam, membrane, truss, plate",

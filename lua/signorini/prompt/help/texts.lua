@@ -77,10 +77,10 @@ In plane strain and plane stress forces, energies and stiffnesses are per unit o
 those of the whole circumference. Angles are in degrees. By default a penalty is 30 E/h, E of the softer body, h the
 size of the slave's elements. `units` of sg.study and sg.table only label columns.]],
   ["quasi-static"] = [[
-Solutions are quasi-static: sequences of equilibrium states without inertia and without viscosity. A stage is a part of
-the load path, and its steps are increments of displacements and loads; the path matters with friction and bonds. Time
-occurs only where mu of a contact depends on the slip rate: stages then have a duration. Impact, vibration, waves and
-creep are not available. Where a path snaps through, no equilibrium near the last one exists: arc_length = true of
+Solutions are quasi-static: sequences of equilibrium states without inertia. A stage is a part of the load path, and its
+steps are increments of displacements and loads; the path matters with friction and bonds. Time occurs only where mu of
+a contact depends on the slip rate, and in viscoelastic materials: stages then have a duration. Impact and waves are not
+available. Where a path snaps through, no equilibrium near the last one exists: arc_length = true of
 model:run follows the path through limit points, pseudo_transient = true jumps to the next stable state with an
 artificial viscosity.]],
   geometry = [[
