@@ -11,19 +11,19 @@ namespace signorini::solid {
 template <int D> struct MacroArrays {
   using Rows = Eigen::Matrix<double, Eigen::Dynamic, entries_in(D)>;
 
-  Rows f, directions;                   ///< F, later F̄, and T = ∂θ/∂F
-  Rows stress, coupling;                ///< P̄, later P*, and v
-  MatrixX moduli;                       ///< A, later M
-  VectorX dilation, change, scale;      ///< θ, c, eᶜ
-  VectorX mean, excess, square;         ///< τ, π − τ, b
-  VectorX predicted;                    ///< PΔ; empty: 0
-  VectorX weighted, coefficients;       ///< of the last projection
-  MatrixX direction_modes, modes;       ///< Σ w φ T:∂F/∂u and Σ w φ (v + …):∂F/∂u
-  MatrixX inner;                        ///< Σ w b φ φ
-  std::vector<double> local;            ///< displacements of an element, D rows of n values
-  MatrixX gradients, strains, sums;     ///< of an element
-  std::vector<double> force, blocks;    ///< of an element
-  std::vector<double> committed, trial; ///< internal variables of its points
+  Rows f, directions;                ///< F, later F̄, and T = ∂θ/∂F
+  Rows stress, coupling;             ///< P̄, later P*, and v
+  MatrixX moduli;                    ///< A, later M
+  VectorX dilation, change, scale;   ///< θ, c, eᶜ
+  VectorX mean, excess, square;      ///< τ, π − τ, b
+  VectorX predicted;                 ///< PΔ; empty: 0
+  VectorX weighted, coefficients;    ///< of the last projection
+  MatrixX direction_modes, modes;    ///< Σ w φ T:∂F/∂u and Σ w φ (v + …):∂F/∂u
+  MatrixX inner;                     ///< Σ w b φ φ
+  std::vector<double> local;         ///< displacements of an element, D rows of n values
+  MatrixX gradients, strains, sums;  ///< of an element
+  std::vector<double> force, blocks; ///< of an element
+  std::vector<double> internal;      ///< internal variables of its points
 
   std::size_t memory() const {
     Eigen::Index numbers = 0;
@@ -33,8 +33,8 @@ template <int D> struct MacroArrays {
       numbers += list->size();
     for (const MatrixX* one : {&moduli, &direction_modes, &modes, &inner, &gradients, &strains, &sums})
       numbers += one->size();
-    return sizeof(double) * (static_cast<std::size_t>(numbers) + local.size() + force.size() + blocks.size() +
-                             committed.size() + trial.size());
+    return sizeof(double) *
+           (static_cast<std::size_t>(numbers) + local.size() + force.size() + blocks.size() + internal.size());
   }
 };
 

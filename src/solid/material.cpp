@@ -31,19 +31,19 @@ struct Completed {
 } // namespace
 
 double Material::energy(const Mat<3>& f, const Memory& memory) const {
-  return energy_(law(), f, Completed(*this, memory).memory);
+  return at_point_.energy(law(), f, Completed(*this, memory).memory);
 }
 
 Mat<3> Material::stress(const Mat<3>& f, const Memory& memory) const {
-  return stress_(law(), f, Completed(*this, memory).memory);
+  return at_point_.stress(law(), f, Completed(*this, memory).memory);
 }
 
 Moduli Material::moduli(const Mat<3>& f, const Memory& memory) const {
-  return moduli_(law(), f, Completed(*this, memory).memory);
+  return at_point_.moduli(law(), f, Completed(*this, memory).memory);
 }
 
 Account Material::account(const Mat<3>& f, std::span<const double> values) const {
-  return account_(law(), f, values.empty() ? initial_values(3) : values);
+  return at_point_.account(law(), f, values.empty() ? initial_values(3) : values);
 }
 
 Mat<3> Material::cauchy_stress(const Mat<3>& f, const Memory& memory) const {

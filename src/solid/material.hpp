@@ -62,10 +62,13 @@ private:
   std::shared_ptr<const void> law_;
   ElasticConstants constants_;
   std::vector<double> initial_[2]; ///< in 2 and 3 dimensions, as below
-  double (*energy_)(const void* law, const Mat<3>& f, const Memory& memory);
-  Mat<3> (*stress_)(const void* law, const Mat<3>& f, const Memory& memory);
-  Moduli (*moduli_)(const void* law, const Mat<3>& f, const Memory& memory);
-  Account (*account_)(const void* law, const Mat<3>& f, std::span<const double> values);
+  /// The law's functions at one point.
+  struct AtPoint {
+    double (*energy)(const void* law, const Mat<3>& f, const Memory& memory);
+    Mat<3> (*stress)(const void* law, const Mat<3>& f, const Memory& memory);
+    Moduli (*moduli)(const void* law, const Mat<3>& f, const Memory& memory);
+    Account (*account)(const void* law, const Mat<3>& f, std::span<const double> values);
+  } at_point_;
   Respond respond_[2];
   Kernels (*kernels_[2])(Kind kind, int functions);
 };
@@ -77,17 +80,29 @@ requires(!std::same_as<T, Material> && Law<T>) Material::Material(T law)
   if constexpr (requires { law.small_strains(); }) small_strains_ = law.small_strains();
   if constexpr (InelasticResponse<T>) {
     for (int d : {2, 3}) initial_[d - 2] = law.initial_values(d);
-    energy_ = [](const void* of, const Mat<3>& f, const Memory& m) { return static_cast<const T*>(of)->energy(f, m); };
-    stress_ = [](const void* of, const Mat<3>& f, const Memory& m) { return static_cast<const T*>(of)->stress(f, m); };
-    moduli_ = [](const void* of, const Mat<3>& f, const Memory& m) { return static_cast<const T*>(of)->moduli(f, m); };
-    account_ = [](const void* of, const Mat<3>& f, std::span<const double> values) {
+    at_point_.energy = [](const void* of, const Mat<3>& f, const Memory& m) {
+      return static_cast<const T*>(of)->energy(f, m);
+    };
+    at_point_.stress = [](const void* of, const Mat<3>& f, const Memory& m) {
+      return static_cast<const T*>(of)->stress(f, m);
+    };
+    at_point_.moduli = [](const void* of, const Mat<3>& f, const Memory& m) {
+      return static_cast<const T*>(of)->moduli(f, m);
+    };
+    at_point_.account = [](const void* of, const Mat<3>& f, std::span<const double> values) {
       return static_cast<const T*>(of)->account(f, values);
     };
   } else {
-    energy_ = [](const void* of, const Mat<3>& f, const Memory&) { return static_cast<const T*>(of)->energy(f); };
-    stress_ = [](const void* of, const Mat<3>& f, const Memory&) { return static_cast<const T*>(of)->stress(f); };
-    moduli_ = [](const void* of, const Mat<3>& f, const Memory&) { return static_cast<const T*>(of)->moduli(f); };
-    account_ = [](const void* of, const Mat<3>& f, std::span<const double>) {
+    at_point_.energy = [](const void* of, const Mat<3>& f, const Memory&) {
+      return static_cast<const T*>(of)->energy(f);
+    };
+    at_point_.stress = [](const void* of, const Mat<3>& f, const Memory&) {
+      return static_cast<const T*>(of)->stress(f);
+    };
+    at_point_.moduli = [](const void* of, const Mat<3>& f, const Memory&) {
+      return static_cast<const T*>(of)->moduli(f);
+    };
+    at_point_.account = [](const void* of, const Mat<3>& f, std::span<const double>) {
       return Account{static_cast<const T*>(of)->energy(f), 0};
     };
   }

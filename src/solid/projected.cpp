@@ -68,7 +68,7 @@ void respond(const Body<D>& body, const MacroElement& macro, PointBlock block, c
              MacroArrays<D>& arrays) {
   const std::size_t variables = body.internal_variables();
   const auto each_element = [&](const auto& visit) {
-    auto own = arrays.trial.begin();
+    auto own = arrays.internal.begin();
     for (int e : macro.elements) {
       const ElementTable& table = body.tables().element(e);
       visit(table.point * variables, static_cast<std::ptrdiff_t>(table.points * variables), own);
@@ -76,10 +76,12 @@ void respond(const Body<D>& body, const MacroElement& macro, PointBlock block, c
     }
   };
   if (variables) {
-    arrays.trial.resize(block.points * variables);
-    each_element([&](std::size_t first, auto count, auto to) { std::copy_n(&memory.committed[first], count, to); });
-    arrays.committed = arrays.trial;
-    block.memory = {arrays.committed.data(), arrays.trial.data(), static_cast<int>(variables), memory.duration};
+    const std::size_t count = block.points * variables;
+    arrays.internal.resize(2 * count); // trial values, then committed ones
+    each_element([&](std::size_t first, auto own, auto to) { std::copy_n(&memory.committed[first], own, to); });
+    double* const trial = arrays.internal.data();
+    std::copy_n(trial, count, trial + count);
+    block.memory = {trial + count, trial, static_cast<int>(variables), memory.duration};
   }
   body.material().template respond<D>()(body.material().law(), block);
   if (variables)

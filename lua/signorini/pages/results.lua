@@ -71,13 +71,14 @@ between the contact points of a slave face, on which xi must be]] },
       { "xi", t.worded(t.point, "a list of 2 numbers {xi1, xi2}, in 3D of 3"), "parametric coordinates" },
     },
     returns = t.number, example = "model:sample(\"slab\", \"uy\", {0.5, 1})" },
-  { "model:energy", [[Returns { stored, contact, friction, work, area_growth, debonding, wear, viscous }: strain energy of the
-bodies, and that of springs of supports; energy of penalty springs and bonds, or of adhesion; and, summed over accepted
-steps (trapezoidal rule), dissipation by friction; work of supports, of loads and of changing offsets and overlaps of
-contacts; energy of the penalty springs times the growth of the area on which they act, zero for contacts with per =
-"reference"; dissipation by bonds; energy that material takes along as it wears, pressure times depth; work of the stresses that relax in
-viscoelastic bodies, of which stored does not contain any. Per unit depth in plane strain. Where nothing changes suddenly, as when a contact is switched off, work + area_growth = stored + contact +
-friction + debonding + wear + viscous in the limit of small steps (with friction: and of small penetration): see
+  { "model:energy", [[Returns { stored, contact, friction, work, area_growth, debonding, wear, viscous }: strain energy
+of the bodies, and that of springs of supports; energy of penalty springs and bonds, or of adhesion; and, summed over
+accepted steps (trapezoidal rule), dissipation by friction; work of supports, of loads and of changing offsets and
+overlaps of contacts; energy of the penalty springs times the growth of the area on which they act, zero for contacts
+with per = "reference"; dissipation by bonds; energy that material takes along as it wears, pressure times depth; work
+of the stresses that relax in viscoelastic bodies, of which stored contains none. Per unit depth in plane strain. Where
+nothing changes suddenly, as when a contact is switched off, work + area_growth = stored + contact + friction +
+debonding + wear + viscous in the limit of small steps (with friction: and of small penetration): see
 share/doc/reference/theory.md, Output quantities.]],
     returns = t.record("stored contact friction work area_growth debonding wear viscous", t.number),
     example = "model:energy().stored" },

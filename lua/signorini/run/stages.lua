@@ -38,8 +38,8 @@ function stages.constant_loads(model, path)
   end)
 end
 
---- The fraction of a stage, of its duration and of the way to its targets, at the fraction `part` of step `number`: each
---- step is `growth` times as long as the one before.
+--- The fraction of a stage, of its duration and of the way to its targets, at the fraction `part` of step `number`:
+--- each step is `growth` times as long as the one before.
 function stages.fraction(stage, number, part)
   local growth = stage.growth
   if not growth or growth == 1 then return (number - 1 + part) / stage.steps end
