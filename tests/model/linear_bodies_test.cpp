@@ -117,7 +117,8 @@ template <int D> void expect_forces_of_elements(const Scene<D>& scene, const std
     double energy = 0;
     for (std::size_t b = 0; b < scene.bodies.size(); ++b)
       energy += solid::account(*scene.bodies[b].body, u.data() + bench.unknowns.offset(static_cast<int>(b))).stored;
-    EXPECT_NEAR(bench.system.assembly.bulk().account(u, bench.accepted.internal).stored, energy, 1e-11 * energy) << what;
+    EXPECT_NEAR(bench.system.assembly.bulk().account(u, bench.accepted.internal).stored, energy, 1e-11 * energy)
+        << what;
     EXPECT_TRUE(compare(bench, u)) << what << " " << state;
   }
 }

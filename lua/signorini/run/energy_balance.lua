@@ -79,7 +79,8 @@ function energy_balance.warning(run, list, unbalanced)
     local a, b = list[i], list[i + 1]
     if not b then return nil end -- resumed from a file without these
     local done, stored = b.work - a.work, b.stored - a.stored
-    local dissipated = b.friction - a.friction + b.debonding - a.debonding + b.wear - a.wear + (b.viscous or 0) - (a.viscous or 0)
+    local dissipated = b.friction - a.friction + b.debonding - a.debonding + b.wear - a.wear
+      + (b.viscous or 0) - (a.viscous or 0)
     local missing = math.abs(energy_balance.missing(a, b)) - math.max(math.abs(a.contact), math.abs(b.contact))
     local last = first + stage.steps - 1
     local histories = table.move(run.histories, first, last, 1, {})

@@ -111,11 +111,10 @@ constexpr Function law_of_model[] = {{"unstable_law", call<unstable_law<D>>}, {"
 } // namespace
 
 void open_material(lua_State* L) {
-  register_functions(
-      L, "sg",
-      {{"neo_hookean", call<material<solid::neo_hookean>>},
-       {"linear_elastic", call<material<solid::linear_elastic>>},
-       {"viscoelastic", call<viscoelastic>}});
+  register_functions(L, "sg",
+                     {{"neo_hookean", call<material<solid::neo_hookean>>},
+                      {"linear_elastic", call<material<solid::linear_elastic>>},
+                      {"viscoelastic", call<viscoelastic>}});
   register_functions(L, "core", {{"strain_symbols", strain_symbols}, {"hyperelastic", call<hyperelastic>}});
   register_functions<Model<2>, Model<3>>(L, "core", law_of_model<2>, law_of_model<3>);
   register_type<solid::Material>(L, {{"__tostring", call<material_text>}});
